@@ -1,0 +1,1 @@
+# Compiles shaders/kernels/*.comp to SPIR-V and embeds them.

@@ -1,0 +1,35 @@
+// The one descriptor set that all kernels share: binding numbers (set 0).
+#ifndef AJAR_BINDINGS_GLSL_H
+#define AJAR_BINDINGS_GLSL_H
+#include "dual.glsl.h"
+DUAL_BEGIN
+
+// Uniform buffer: FrameRecord.
+const uint BIND_FRAME = 0;
+
+// Storage buffers: what kernels write.
+const uint BIND_PATHS = 1;       // PathState[pool size]
+const uint BIND_SHADOW_RAYS = 2; // ShadowRay[pool size]
+const uint BIND_SEGMENTS = 3;    // SegmentCounts[segments]
+const uint BIND_RADIANCE = 4;    // vec4[pool size], by the path's home slot
+const uint BIND_FILM = 5;        // FilmPixel[chunk]
+const uint BIND_STORAGE_FIRST = BIND_PATHS;
+const uint BIND_STORAGE_LAST = BIND_FILM;
+
+// Texel buffers: read-only scene tables. All are RGBA32UI but TEXELS, which is RGBA8 UNORM.
+const uint BIND_NODES = 8;        // BVH nodes
+const uint BIND_TRIANGLES = 9;    // triangles in leaf order, for intersection
+const uint BIND_SURFACES = 10;    // per triangle: normals, texture coordinates, material, light
+const uint BIND_INSTANCES = 11;   // InstanceRecord
+const uint BIND_MATERIALS = 12;   // MaterialRecord and TextureRecord
+const uint BIND_TEXELS = 13;      // all textures' texels
+const uint BIND_LIGHTS = 14;      // LightRecord and the light samplers' tables
+const uint BIND_ENVIRONMENT = 15; // radiance and distribution of the environment map
+const uint BIND_TABLE_FIRST = BIND_NODES;
+const uint BIND_TABLE_LAST = BIND_ENVIRONMENT;
+const uint TABLE_COUNT = 8;
+
+const uint BIND_COUNT = 16;
+
+DUAL_END
+#endif
