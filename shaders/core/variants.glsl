@@ -4,7 +4,7 @@
 #include "../shared/specialization.glsl.h"
 
 layout(local_size_x_id = 0) in; // SPEC_WORKGROUP_SIZE
-layout(constant_id = 0) const uint WORKGROUP_SIZE = 64;
+#define WORKGROUP_SIZE gl_WorkGroupSize.x
 layout(constant_id = 1) const uint SEGMENT_SIZE = 256;
 layout(constant_id = 2) const uint TEXEL_BUFFERS = 1;
 layout(constant_id = 3) const uint FEATURES = 0;
