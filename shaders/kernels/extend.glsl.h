@@ -1,0 +1,16 @@
+// extend: where does each ray meet the scene? For all live paths of a segment.
+// Reads PathState origin, direction, triangle and instance (the triangle it leaves), BIND_SEGMENTS;
+// writes PathState triangle, instance, u, v and SegmentCounts::rays_traced. One workgroup per segment.
+// SPEC_OPTION chooses the traversal: EXTEND_*; all give the same hits.
+#ifndef AJAR_EXTEND_GLSL_H
+#define AJAR_EXTEND_GLSL_H
+#include "../shared/segment_args.glsl.h"
+DUAL_BEGIN
+
+struct ExtendArgs {
+    SegmentArgs segments;
+};
+DUAL_SIZE(ExtendArgs, 36);
+
+DUAL_END
+#endif
