@@ -1,0 +1,68 @@
+// Renders a scene: uploads it once, then traces samples until they are done, interrupted or out of time.
+#pragma once
+
+#include "base/events.hpp"
+#include "gpu/commands.hpp"
+#include "image/image.hpp"
+#include "render/settings.hpp"
+#include "scene/scene.hpp"
+
+#include <memory>
+#include <span>
+
+namespace ajar {
+
+// A row of a table that --help prints; the renderer accepts exactly the names in it.
+struct Choice {
+    const char* name;
+    const char* help;
+};
+std::span<const Choice> integrators();
+std::span<const Choice> strategies();
+std::span<const Choice> light_samplers();
+std::span<const Choice> pixel_filters();
+
+struct RenderStats {
+    std::uint32_t samples = 0; // per pixel, done
+    bool interrupted = false;  // the progress callback said stop
+    bool out_of_time = false;
+    double prepare_seconds = 0; // hierarchy and upload
+    double render_seconds = 0;
+    double bvh_seconds = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t lights = 0;
+    std::uint64_t device_bytes = 0;
+    std::uint64_t camera_rays = 0;
+    std::uint64_t extension_rays = 0; // camera rays included
+    std::uint64_t shadow_rays = 0;
+    std::uint64_t shadow_rays_open = 0; // that reached their light
+    std::uint64_t invalid_samples = 0;  // NaN, Inf or negative: dropped
+    std::uint64_t saturated_samples = 0;
+    std::uint64_t exhausted_loops = 0;
+    gpu::Profile profile; // device time per kernel
+};
+
+struct RenderOutput {
+    Image image; // layer "" (R, G, B, A), "variance", and with aovs "albedo" "normal" "position" "depth" "emission"
+                 // "object_id" "material_id" "samples"
+    RenderStats stats;
+};
+
+// A scene on a device, ready to be rendered with any settings.
+class Renderer {
+  public:
+    // Builds the hierarchy and uploads. Throws Error when the scene is invalid or does not fit.
+    Renderer(const gpu::Device& device, const Scene& scene, const WarningSink& warn);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // progress: stage "render", in samples per pixel; return false to stop. Throws Error (unknown names, device lost).
+    RenderOutput render(const RenderSettings& settings, const ProgressSink& progress = {});
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace ajar
