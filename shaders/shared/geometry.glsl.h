@@ -11,7 +11,7 @@ struct SurfaceRecord {
     uint material;    // index of the MaterialRecord
     vec2 uv0[3];
     uint light;       // index of the LightRecord this triangle is, or NO_LIGHT
-    uint source;      // index of the triangle in its mesh, for messages and AOVs
+    uint object;      // index in Scene::instances of what was baked into the world; else see InstanceRecord
 };
 DUAL_SIZE(SurfaceRecord, 48);
 
@@ -34,7 +34,7 @@ struct InstanceRecord {
     vec4 to_object[3]; // rows of its inverse
     uint root;         // node index of the mesh's hierarchy
     uint flags;        // INSTANCE_*
-    uint object;       // Scene::instances index, for AOVs (instance 0: see BIND_TRIANGLES' own record)
+    uint object;       // index in Scene::instances; instance 0: see SurfaceRecord::object
     uint pad;
 };
 DUAL_SIZE(InstanceRecord, 112);
