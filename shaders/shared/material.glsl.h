@@ -32,6 +32,10 @@ DUAL_SIZE(MaterialRecord, 80);
 
 const uint MATERIAL_TEXELS = 5;
 
+// Below this GGX width (roughness 0.032) a lobe is a mirror. It spreads light over a tenth of a degree; narrower, the
+// density passes 1e6 per steradian and float directions no longer resolve it.
+const float DELTA_ALPHA = 1e-3f;
+
 const uint WRAP_REPEAT = 0;
 const uint WRAP_MIRROR = 1;
 const uint WRAP_CLAMP = 2;
