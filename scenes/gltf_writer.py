@@ -1,7 +1,8 @@
-"""Writes small glTF 2.0 files (.gltf + .bin), PNG and Radiance HDR images with nothing but the standard library.
+"""Writes small glTF 2.0 files (.gltf + .bin), PNG and Radiance HDR images with the standard library alone.
 
-Every number is rounded before it is stored and images are not left to a compressor's taste, so the bytes are the same on
-every machine. Formats: Khronos, "glTF 2.0 Specification"; "Portable Network Graphics" (RFC 2083); Ward 1991 (RGBE).
+Every number is rounded before it is stored and images are not left to a compressor's taste, so the bytes
+are the same on every machine. Formats: Khronos, "glTF 2.0 Specification"; "Portable Network Graphics" (RFC
+2083); Ward 1991 (RGBE).
 """
 
 import json
@@ -41,8 +42,8 @@ class Gltf:
         view = self._add("bufferViews", {"buffer": 0, "byteOffset": len(self.bytes), "byteLength": len(data),
                                          "target": target})
         self.bytes += data + bytes(-len(data) % 4)
-        accessor = {"bufferView": view, "componentType": component, "count": len(values) // {"SCALAR": 1, "VEC2": 2,
-                    "VEC3": 3, "VEC4": 4}[kind], "type": kind}
+        count = len(values) // {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[kind]
+        accessor = {"bufferView": view, "componentType": component, "count": count, "type": kind}
         if bounds:
             # As stored: a bound is checked against the float32 in the buffer.
             stored = struct.unpack("<%df" % len(values), data)
@@ -54,12 +55,10 @@ class Gltf:
         self.extensions.add(name)
         return name
 
-    # Materials -------------------------------------------------------------------------------------------------------
-
-    def material(self, name, color=(1, 1, 1), alpha=1.0, metallic=0.0, roughness=1.0, specular=None, emission=None,
+    def material(self, name, color=(1, 1, 1), metallic=0.0, roughness=1.0, specular=None, emission=None,
                  **more):
         """emission is a radiance in W/(m^2 sr); specular 0 with roughness 1 is exactly Lambert's law."""
-        pbr = {"baseColorFactor": rounded(list(color) + [alpha]), "metallicFactor": metallic,
+        pbr = {"baseColorFactor": rounded(list(color) + [1]), "metallicFactor": metallic,
                "roughnessFactor": roughness}
         pbr.update(more.pop("pbr", {}))
         material = {"name": name, "pbrMetallicRoughness": pbr}
@@ -69,7 +68,8 @@ class Gltf:
         if emission is not None:
             strength = max(emission)
             material["emissiveFactor"] = rounded([e / strength for e in emission])
-            extensions[self._use_extension("KHR_materials_emissive_strength")] = {"emissiveStrength": strength}
+            strength_extension = self._use_extension("KHR_materials_emissive_strength")
+            extensions[strength_extension] = {"emissiveStrength": strength}
         if extensions:
             material["extensions"] = extensions
         material.update(more)
@@ -87,8 +87,6 @@ class Gltf:
         if sampler:
             texture["sampler"] = self._add("samplers", sampler)
         return {"index": self._add("textures", texture)}
-
-    # Geometry --------------------------------------------------------------------------------------------------------
 
     def attributes(self, shape):
         """Stores a shape's vertices and indices; primitives may share them."""
@@ -149,7 +147,7 @@ def look_at(eye, target):
 
 
 def png(rows, channels):
-    """An 8-bit PNG (3: RGB, 4: RGBA) from rows of flat byte lists. Stored, not compressed: the same bytes everywhere."""
+    """An 8-bit PNG (3: RGB, 4: RGBA) of rows of bytes. Not compressed: the same bytes everywhere."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
@@ -163,15 +161,23 @@ def png(rows, channels):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", size) + chunk(b"IDAT", stream) + chunk(b"IEND", b"")
 
 
-def hdr(rows):
-    """A Radiance RGBE picture from rows of (r, g, b), with the run-length container but only literal spans."""
-    def rgbe(pixel):
-        largest = max(pixel)
-        if largest < 1e-32:
-            return (0, 0, 0, 0)
-        exponent = math.frexp(largest)[1]
-        return tuple(int(c * 256.0 / 2.0 ** exponent) for c in pixel) + (exponent + 128,)
+def rgbe(pixel):
+    """Shared exponent: a channel is mantissa * 2^(exponent - 136)."""
+    largest = max(pixel)
+    if largest < 1e-32:
+        return (0, 0, 0, 0)
+    exponent = math.frexp(largest * 256 / 255.5)[1]  # the largest mantissa must round to 255 at most
+    return tuple(int(c * 256.0 / 2.0 ** exponent + 0.5) for c in pixel) + (exponent + 128,)
 
+
+def through_rgbe(pixel):
+    """The colour that a reader of the file gets."""
+    r, g, b, exponent = rgbe(pixel)
+    return tuple(c * 2.0 ** (exponent - 136) for c in (r, g, b))
+
+
+def hdr(rows):
+    """A Radiance RGBE picture from rows of (r, g, b), in the run-length container with literal spans only."""
     width = len(rows[0])
     out = bytearray(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (len(rows), width))
     for row in rows:

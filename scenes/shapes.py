@@ -28,7 +28,7 @@ def unit(a):
 
 
 class Shape:
-    """Vertices with normals (and texture coordinates, all or none) and triangles, counter-clockwise from the front."""
+    """Vertices with normals (and perhaps texture coordinates); triangles counter-clockwise from the front."""
 
     def __init__(self):
         self.positions, self.normals, self.uvs, self.triangles = [], [], [], []
@@ -74,7 +74,7 @@ class Shape:
         return self
 
     def frame(self, outer, inner, facing):
-        """A plane with a hole: the four trapezoids between two quads whose corners correspond (no T-junctions)."""
+        """A plane with a hole: four trapezoids between two quads with matching corners (no T-junctions)."""
         for i in range(4):
             j = (i + 1) % 4
             self.quad([outer[i], outer[j], inner[j], inner[i]], facing)
@@ -82,7 +82,7 @@ class Shape:
 
 
 def sphere(center, radius, subdivisions):
-    """An icosahedron whose edges were halved `subdivisions` times and pushed out to the sphere; smooth normals."""
+    """An icosahedron whose edges were halved `subdivisions` times and pushed out to the sphere; smooth."""
     golden = (1 + math.sqrt(5)) / 2
     points = [unit(p) for s in (-1, 1) for t in (-golden, golden)
               for p in ((0, s, t), (s, t, 0), (t, 0, s))]

@@ -1,0 +1,208 @@
+"""Scenes about light: many kinds of it, hard ways to it, and rooms whose answer is a formula.
+
+A scene function fills a Gltf; its docstring is the scene's README.
+"""
+
+import math
+
+from gltf_writer import hdr, through_rgbe
+from shapes import Shape, add, cross, scale, sphere, sub, unit
+
+GREY = (0.5, 0.5, 0.5)
+
+
+def veach_mis(gltf):
+    """# Veach's plates
+
+    Four metal plates, from nearly smooth to rough, reflect four spherical lights of the same power and very
+    different size (after the scene of Veach and Guibas 1995, with dimensions of its own). Sampling the BSDF
+    finds the large light in the smooth plate, sampling lights finds the small light in the rough plate, and
+    only the combination is good everywhere.
+
+    **Right answer:** the same mean from `--strategy bsdf`, `light` and `mis`; with `mis` no reflection is
+    noisier than the better of the other two. A smooth plate shows each light as a disc, a rough one as a
+    wide streak.
+    """
+    eye, lights_at = (0, 2.0, 8.0), (0, 3.2, -3.0)
+    gltf.object("floor", Shape().quad([(-9, -1.6, -7), (9, -1.6, -7), (9, -1.6, 7), (-9, -1.6, 7)], eye),
+                gltf.lambert("floor", GREY))
+    gltf.object("back wall", Shape().quad([(-9, -1.6, -7), (9, -1.6, -7), (9, 7, -7), (-9, 7, -7)], eye),
+                gltf.lambert("wall", GREY))
+    for i, roughness in enumerate((0.1, 0.2, 0.35, 0.5)):
+        middle = (0, 1.0 - 0.62 * i, -1.5 + 0.85 * i)
+        # The plate's normal halves the way between eye and lights, so that it mirrors one into the other.
+        normal = unit(add(unit(sub(eye, middle)), unit(sub(lights_at, middle))))
+        across, along = (2.4, 0, 0), scale(cross(normal, (1, 0, 0)), 0.42)
+        corners = [add(middle, add(scale(across, s), scale(along, t)))
+                   for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        gltf.object("plate %d" % (i + 1), Shape().quad(corners, add(middle, normal)),
+                    gltf.material("plate_%03d" % round(1000 * roughness), (0.8, 0.8, 0.85), metallic=1,
+                                  roughness=roughness))
+    for i, radius in enumerate((0.04, 0.11, 0.28, 0.7)):
+        radiance = 2.0 / radius ** 2  # the same power for all
+        tint = ((1.0, 0.45, 0.3), (1.0, 0.9, 0.4), (0.5, 1.0, 0.5), (0.45, 0.6, 1.0))[i]
+        center = add(lights_at, (-2.4 + 1.6 * i, 0, 0))
+        gltf.object("light %d" % (i + 1), sphere(center, radius, 1 if i == 0 else 2),
+                    gltf.emitter("light_%d" % (i + 1), scale(tint, radiance)))
+    gltf.camera(eye, (0, 0.9, -1.3), 46)
+
+
+def furnace_room(gltf):
+    """# Furnace room
+
+    A closed cube of 2 m whose every point reflects the fraction a = (0.25, 0.5, 0.8) of the light
+    (Lambertian) and emits e = (1, 1, 1) W/(m^2 sr) itself. The camera is inside.
+
+    **Right answer:** every pixel is e (1 + a + a^2 + ...) = e / (1 - a) = (1.3333, 2, 5). Cut after N
+    indirect bounces (`--max-bounces N`), it is e times the sum of a^k for k from 0 to N + 1. Any other value
+    anywhere is energy lost or made.
+    """
+    wall = gltf.material("furnace_wall", (0.25, 0.5, 0.8), specular=0, emission=(1, 1, 1))
+    gltf.object("room", Shape().room((-1, -1, -1), (1, 1, 1)), wall)
+    gltf.camera((0.2, 0.1, 0.7), (-0.3, -0.2, -1), 60)
+
+
+def tile(x, y, z, half):
+    """The corners of a level square."""
+    return [(x + s * half, y, z + t * half) for s, t in ((-1, -1), (-1, 1), (1, 1), (1, -1))]
+
+
+def many_lights(gltf):
+    """# Many lights
+
+    Fifty small square lights (100 emissive triangles) hang in a hall, each of its own colour and
+    brightness: from 1 to 100 W/(m^2 sr). A light sampler must choose well among them.
+
+    **Right answer:** the same mean whatever `--light-sampler` says; a pool of coloured light under each
+    lamp. Direct light (`--max-bounces 0`) on the floor is the sum of fifty form factors.
+    """
+    lower, upper = (-5, 0, -5), (5, 3, 5)
+    gltf.object("hall", Shape().room(lower, upper), gltf.lambert("hall", GREY))
+    pillars = Shape()
+    for x, z in ((-2.5, -2.5), (2.5, -2.5), (-2.5, 1.5), (2.5, 1.5)):
+        pillars.prism(tile(x, 0, z, 0.2), 1.6)
+    gltf.object("pillars", pillars, gltf.lambert("pillars", (0.7, 0.65, 0.6)))
+    for i in range(50):
+        x, z, y = -4.5 + (i % 10), -4 + 2 * (i // 10), 2.1 + 0.07 * ((7 * i) % 11)
+        half = 0.05 + 0.012 * ((3 * i) % 7)
+        hue = i * 0.61803398875 % 1  # golden ratio: neighbours differ
+        tint = [0.55 + 0.45 * math.cos(2 * math.pi * (hue + k / 3)) for k in range(3)]
+        radiance = scale(tint, 100 ** (((17 * i) % 50) / 49))
+        gltf.object("lamp %d" % i, Shape().quad(tile(x, y, z, half), (x, 0, z)),
+                    gltf.emitter("lamp_%d" % i, radiance))
+    gltf.camera((0, 1.6, 4.7), (0, 1.1, 0), 55)
+
+
+def ajar_door(gltf):
+    """# Ajar door
+
+    The scene this renderer is named after (Veach 1997, rebuilt from nothing): a room without a lamp, lit
+    only by what comes through a door that stands ajar to a bright room behind. Direct lighting finds
+    nothing here.
+
+    **Right answer:** with `--max-bounces 0` the front room is black but for what the lamp sees through the
+    gap; with bounces a wedge of light falls through the gap, and everything else is lit from it by further
+    reflection. Hard: most light needs three bounces or more.
+    """
+    white = gltf.lambert("white", (0.75, 0.75, 0.75))
+    left, right, head = 0.3, 1.2, 2.1  # the doorway in the wall z = 0
+    middle_front, middle_back = (0, 1.25, 2), (0, 1.25, -1.5)
+    front = Shape().room((-2, 0, 0.05), (2, 2.5, 4), without=("-z",))
+    back = Shape().room((-2, 0, -3), (2, 2.5, -0.05), without=("+z", "+y"))
+    lamp = [(-1.6, 2.5, -2.4), (-0.6, 2.5, -2.4), (-0.6, 2.5, -1.4), (-1.6, 2.5, -1.4)]
+    ceiling = [(-2, 2.5, -3), (2, 2.5, -3), (2, 2.5, -0.05), (-2, 2.5, -0.05)]
+    back.frame(ceiling, lamp, middle_back)
+    for z, facing, room in ((0.05, middle_front, front), (-0.05, middle_back, back)):
+        room.quad([(-2, 0, z), (left, 0, z), (left, 2.5, z), (-2, 2.5, z)], facing)
+        room.quad([(right, 0, z), (2, 0, z), (2, 2.5, z), (right, 2.5, z)], facing)
+        room.quad([(left, head, z), (right, head, z), (right, 2.5, z), (left, 2.5, z)], facing)
+    opening = (0.75, 1, 0)
+    for corners in ([(left, 0), (right, 0)], [(left, 0), (left, head)], [(right, 0), (right, head)],
+                    [(left, head), (right, head)]):
+        (xa, ya), (xb, yb) = corners
+        front.quad([(xa, ya, -0.05), (xb, yb, -0.05), (xb, yb, 0.05), (xa, ya, 0.05)], opening)
+    gltf.object("front room", front, white)
+    gltf.object("back room", back, gltf.lambert("back_room", (0.8, 0.7, 0.55)))
+    gltf.object("lamp", Shape().quad(lamp, middle_back), gltf.emitter("lamp", (300, 270, 210)))
+    # The door hangs at the doorway's right side, opened 20 degrees into the front room.
+    angle = math.radians(20)
+    out, thick = (-math.cos(angle), 0, math.sin(angle)), (-0.04 * math.sin(angle), 0, -0.04 * math.cos(angle))
+    hinge, width = (right - 0.01, 0.005, 0.06), 0.88
+    free = add(hinge, scale(out, width))
+    door = Shape().prism([hinge, free, add(free, thick), add(hinge, thick)], head - 0.03)
+    gltf.object("door", door, gltf.lambert("door", (0.45, 0.25, 0.12)))
+    table = Shape().prism([(-1.4, 0, 1.2), (-1.4, 0, 1.9), (-0.7, 0, 1.9), (-0.7, 0, 1.2)], 0.6)
+    gltf.object("pedestal", table, gltf.lambert("pedestal", (0.3, 0.45, 0.6)))
+    gltf.object("ball", sphere((-1.05, 0.85, 1.55), 0.25, 3), white)
+    gltf.camera((-0.2, 1.4, 3.8), (0.1, 1.1, 0), 60)
+
+
+def sky(direction):
+    """The sky's radiance: a blue gradient, dark earth, a sun, a red patch at +X, a green one at +Z."""
+    x, y, z = direction
+    if y > 0:
+        t = 1 - y
+        radiance = (0.15 + 0.5 * t * t, 0.3 + 0.5 * t * t, 0.7 + 0.2 * t * t)
+    else:
+        radiance = (0.10, 0.09, 0.08)
+    if y < 0.35 and x > 0.92:
+        radiance = (2.0, 0.1, 0.1)
+    if y < 0.35 and z > 0.92:
+        radiance = (0.1, 1.5, 0.1)
+    sun = unit((-0.6, 0.7, 0.4))
+    if x * sun[0] + y * sun[1] + z * sun[2] > math.cos(math.radians(5)):
+        radiance = (160.0, 144.0, 120.0)
+    return radiance
+
+
+def sky_map(width=128, height=64):
+    rows = []
+    for j in range(height):
+        theta = math.pi * (j + 0.5) / height
+        row = []
+        for i in range(width):
+            phi = 2 * math.pi * ((i + 0.5) / width - 0.5)  # u = atan2(z, x) / 2 pi + 1/2
+            direction = (math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi))
+            row.append(through_rgbe(sky(direction)))
+        rows.append(row)
+    return rows
+
+
+def sky_irradiance(rows):
+    """On an unoccluded level surface: the integral of L cos(theta), summed over the map's texels."""
+    width, height, total = len(rows[0]), len(rows), [0.0, 0.0, 0.0]
+    for j in range(height // 2):
+        low, high = math.pi * j / height, math.pi * (j + 1) / height
+        # Integral of cos sin dtheta over the row, times the texel's width in phi.
+        weight = (math.sin(high) ** 2 - math.sin(low) ** 2) / 2 * 2 * math.pi / width
+        for pixel in rows[j]:
+            total = [t + weight * c for t, c in zip(total, pixel)]
+    return total
+
+
+def environment_only(gltf):
+    """# Environment only
+
+    Three spheres on a plane and no lamp: all light comes from `sky.hdr`, a synthetic sky of 128 x 64 texels
+    with a small sun, hundreds of times as bright as the rest. Render it with `--env
+    scenes/environment-only/sky.hdr`. To show the map's orientation, a red patch stands at +X and a green
+    one at +Z (behind the camera).
+
+    **Right answer:** in the mirror sphere the red patch is on the right and the green one in the middle;
+    shadows fall away from the sun, to the right and back. Far from the spheres the plane (albedo 0.5) has the
+    radiance 0.5 E / pi = %s,
+    with E = %s W/m^2 as the generator sums it over the map.
+    """
+    rows = sky_map()
+    gltf.images["sky.hdr"] = hdr(rows)
+    ground = [(-6, 0, -6), (6, 0, -6), (6, 0, 6), (-6, 0, 6)]
+    gltf.object("ground", Shape().quad(ground, (0, 1, 0)), gltf.lambert("ground", GREY))
+    ball = gltf.attributes(sphere((0, 0, 0), 0.5, 4))
+    gltf.object("matte ball", ball, gltf.lambert("ball", (0.8, 0.4, 0.2)), translation=[-1.2, 0.5, 0])
+    gltf.object("mirror ball", ball, gltf.material("mirror", (0.9, 0.9, 0.9), metallic=1, roughness=0),
+                translation=[0, 0.5, 0])
+    gltf.object("plastic ball", ball, gltf.material("plastic", (0.05, 0.25, 0.1), roughness=0.3),
+                translation=[1.2, 0.5, 0])
+    gltf.camera((0, 1.6, 4.5), (0, 0.35, 0), 40)
+    irradiance = sky_irradiance(rows)
+    return tuple("(%.4f, %.4f, %.4f)" % tuple(v) for v in (scale(irradiance, 0.5 / math.pi), irradiance))
