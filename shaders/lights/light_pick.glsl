@@ -1,0 +1,17 @@
+// What every light sampler returns.
+#ifndef AJAR_LIGHT_PICK_GLSL
+#define AJAR_LIGHT_PICK_GLSL
+#include "../core/tables.glsl"
+#include "../shared/light.glsl.h"
+
+struct LightPick {
+    uint light; // index of the LightRecord
+    float pmf;  // probability of having picked it; 0: no light, skip it
+    float u;    // what is left of u: uniform again, but with only the digits that the choice did not use
+};
+
+const uint FEATURE_ANY_LIGHT = FEATURE_EMISSIVE_TRIANGLES | FEATURE_PUNCTUAL_LIGHTS | FEATURE_ENVIRONMENT_MAP |
+                               FEATURE_CONSTANT_ENVIRONMENT;
+const float LIGHT_PICK_BELOW_ONE = 0.99999994; // 1 - 2^-24, the largest u
+
+#endif
