@@ -17,10 +17,11 @@ class Bindings {
     void uniform(const Buffer& buffer);
     // BIND_STORAGE_FIRST..LAST. The range must be within limits().max_storage_bytes (assert).
     void storage(std::uint32_t binding, const Buffer& buffer);
-    // BIND_TABLE_FIRST..LAST: RGBA32UI, BIND_TEXELS RGBA8 UNORM.
+    // BIND_TABLE_FIRST..LAST: RGBA32UI, BIND_TEXELS RGBA8 UNORM. A buffer that does not fit is not bound.
     void table(std::uint32_t binding, const Buffer& buffer);
 
-    // Whether a table of so many bytes can be a texel buffer of this device (elements, bytes < 2^31).
+    // Whether a table of so many bytes can be a texel buffer of this device (elements, bytes < 2^31), and may be one
+    // (force_pointers).
     static bool table_fits(const Device& device, std::uint32_t binding, std::uint64_t size_bytes);
 
     struct Impl;

@@ -26,7 +26,7 @@ class Commands {
     // Runs what was recorded, waits, adds its times to profile(), and begins anew. Returns device seconds (wall time
     // where there are no timestamps). Throws Error on a lost device or out of memory.
     double submit();
-    // Forgets what was recorded.
+    // Forgets what was recorded; the bindings stay.
     void reset();
 
     const Profile& profile() const;

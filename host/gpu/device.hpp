@@ -32,7 +32,7 @@ struct DeviceOptions {
     std::function<void(std::string_view)> on_validation; // each warning or error of the layer
     std::filesystem::path cache_folder; // where compiled pipelines are kept; empty: nowhere
     bool force_pointers = false; // read scene tables through pointers even where texel buffers would do
-    std::uint32_t workgroup_size = 0; // 0: chosen by device
+    std::uint32_t workgroup_size = 0; // 0: chosen by device; Error when it allows fewer
 };
 
 // What the rest of the house may ask of a device.
@@ -40,7 +40,7 @@ struct DeviceLimits {
     bool is_cpu = false;
     std::uint32_t subgroup_size = 1;
     bool subgroup_size_fixed = false; // every kernel runs with exactly subgroup_size
-    bool subgroup_shuffle = false;    // shuffles in compute kernels
+    bool subgroup_shuffle = false;    // votes, ballots and shuffles in compute kernels
     std::uint32_t max_workgroup_size = 0;
     std::uint64_t max_storage_bytes = 0;   // of one bound storage buffer
     std::uint64_t max_allocation_bytes = 0;
@@ -48,6 +48,9 @@ struct DeviceLimits {
     std::uint64_t memory_bytes = 0;        // of the largest device-local heap
     bool timestamps = false;
 };
+
+// $XDG_CACHE_HOME/ajar, else $HOME/.cache/ajar, else empty. The caller reads the environment (null: not set).
+std::filesystem::path default_cache_folder(const char* xdg_cache_home, const char* home);
 
 class Device {
   public:
