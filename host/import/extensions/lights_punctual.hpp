@@ -1,0 +1,11 @@
+// KHR_lights_punctual: point, spot and directional lights.
+#pragma once
+
+#include "import/nodes.hpp"
+
+namespace ajar::gltf {
+
+// Appends the lights of the chosen scene, in world space.
+void add_punctual_lights(Document& document, const Nodes& nodes, Scene& scene);
+
+} // namespace ajar::gltf
