@@ -1,0 +1,50 @@
+// All lights of a scene as the device reads them, with the power sampler's probabilities.
+// Powers are in watts of luminance-weighted light: what a light sends into the scene (Pharr et al. 2023, section 12.6.2).
+#pragma once
+
+#include "scene/scene.hpp"
+#include "shaders/shared/geometry.glsl.h"
+#include "shaders/shared/light.glsl.h"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace ajar {
+
+// A triangle that emits, in world space. Vertices are counter-clockwise as its front face sees them.
+struct EmissiveTriangle {
+    glm::vec3 p0{0};
+    glm::vec3 p1{0};
+    glm::vec3 p2{0};
+    std::uint32_t triangle = 0; // index in leaf order
+    std::uint32_t material = 0; // Scene::materials
+    glm::vec3 emission{0};      // mean radiance, W/(m^2 sr): see EmissionMeans
+    bool two_sided = false;
+    bool textured = false; // emission differs from point to point (texture, or alpha MASK or BLEND): looked up there
+    float area = 0;        // m^2
+};
+
+struct LightTable {
+    std::vector<shared::LightRecord> lights; // triangles in the order given, Scene::lights, the environment
+    std::vector<shared::AliasEntry> alias;   // follows the lights in BIND_LIGHTS
+    std::vector<double> powers;              // per light, W
+    std::uint32_t environment_light = shared::NO_LIGHT;
+    std::uint32_t features = 0; // FEATURE_* bits of the kinds that are there
+
+    // BIND_LIGHTS, and FrameRecord::alias_first.
+    std::vector<glm::uvec4> words() const;
+    std::uint32_t alias_first() const;
+};
+
+// scene_radius: of a sphere around the scene, metres; the environment and directional lights shine through its disk.
+// Lights without power have a pmf of 0, but uniform picking still finds them. Throws Error for too many lights.
+LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles, float scene_radius);
+
+// Watts, luminance-weighted.
+double light_power(const EmissiveTriangle& triangle);
+double light_power(const Light& light, float scene_radius);
+double light_power(const Environment& environment, float scene_radius);
+
+} // namespace ajar
