@@ -1,6 +1,7 @@
 #include "image/decoder.hpp"
 
 #include "base/error.hpp"
+#include "image/png.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -20,13 +21,20 @@ const char* plugin(Format format) {
     return "";
 }
 
+Claim inspect_below(std::span<const std::byte> bytes, std::string_view name, std::uint64_t max_pixels) {
+    const Claim claim = inspect(bytes, name);
+    if (claim.width > INT32_MAX || claim.height > max_pixels / claim.width)
+        throw Error(fmt::format("{}: claims {} x {} pixels, the limit here is {} in all", name, claim.width,
+                                claim.height, max_pixels));
+    return claim;
+}
+
 } // namespace
 
 Decoder::Decoder(std::span<const std::byte> bytes, std::string name, std::uint64_t max_pixels)
-    : name_(std::move(name)), claim_(inspect(bytes, name_)), source_(bytes.data(), bytes.size()) {
-    if (claim_.width > INT32_MAX || claim_.height > max_pixels / claim_.width)
-        throw Error(fmt::format("{}: claims {} x {} pixels, the limit here is {} in all", name_, claim_.width,
-                                claim_.height, max_pixels));
+    : name_(std::move(name)), claim_(inspect_below(bytes, name_, max_pixels)),
+      png_(claim_.format == Format::png ? essential_png(bytes, name_) : std::vector<std::byte>{}),
+      source_(png_.empty() ? bytes.data() : png_.data(), png_.empty() ? bytes.size() : png_.size()) {
     // By format, never by name: OpenImageIO would try every plugin it has on a file that one of them refuses.
     input_ = OIIO::ImageInput::create(plugin(claim_.format));
     if (!input_) {

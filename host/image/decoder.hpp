@@ -50,6 +50,7 @@ class Decoder {
 
     std::string name_;
     Claim claim_;
+    std::vector<std::byte> png_; // what is left of a PNG file for the reader
     OIIO::Filesystem::IOMemReader source_;
     std::unique_ptr<OIIO::ImageInput> input_;
     OIIO::ImageSpec spec_;

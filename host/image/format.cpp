@@ -61,16 +61,7 @@ class Bytes {
 
 Claim inspect_png(const Bytes& bytes) {
     if (!bytes.has(12, "IHDR")) bytes.throw_corrupt("PNG without IHDR");
-    const Claim claim{Format::png, bytes.big(16, 4), bytes.big(20, 4)};
-    const std::uint64_t depth = bytes.big(24, 1), color = bytes.big(25, 1);
-    const std::uint64_t samples = color == 2 ? 3 : color == 4 ? 2 : color == 6 ? 4 : 1;
-    // Deflate packs at best 258 bytes into 2 bits (RFC 1951), 1032 to 1. The bound also keeps the product from
-    // overflowing: width and height are below 2^32, so divide before multiplying.
-    const std::uint64_t most_bits = bytes.size() * 1032 * 8;
-    if (claim.width != 0 && claim.height > most_bits / claim.width / std::max<std::uint64_t>(1, depth * samples))
-        bytes.throw_corrupt(
-            fmt::format("{} bytes cannot hold {} x {} pixels", bytes.size(), claim.width, claim.height));
-    return claim;
+    return {Format::png, bytes.big(16, 4), bytes.big(20, 4)};
 }
 
 // Walks the marker segments up to the frame header (SOF), then checks that an end of image (EOI) follows the scan:
@@ -99,24 +90,31 @@ Claim inspect_jpeg(const Bytes& bytes) {
 
 Claim inspect_webp(const Bytes& bytes) {
     if (bytes.little(4, 4) + 8 > bytes.size()) bytes.throw_corrupt("WebP data ends before the image does");
-    if (bytes.has(12, "VP8X")) return {Format::webp, bytes.little(24, 3) + 1, bytes.little(27, 3) + 1};
+    if (bytes.has(12, "VP8X")) return {Format::webp, bytes.little(24, 3) + 1, bytes.little(27, 3) + 1, false};
     if (bytes.has(12, "VP8L")) {
         const std::uint64_t bits = bytes.little(21, 4);
-        return {Format::webp, (bits & 0x3fff) + 1, (bits >> 14 & 0x3fff) + 1};
+        return {Format::webp, (bits & 0x3fff) + 1, (bits >> 14 & 0x3fff) + 1, false};
     }
-    if (bytes.has(12, "VP8 ")) return {Format::webp, bytes.little(26, 2) & 0x3fff, bytes.little(28, 2) & 0x3fff};
+    if (bytes.has(12, "VP8 "))
+        return {Format::webp, bytes.little(26, 2) & 0x3fff, bytes.little(28, 2) & 0x3fff, false};
     bytes.throw_corrupt("WebP without image data");
 }
 
 // Attributes: name, type (both ending in 0), size, value. The first header's dataWindow is the image.
 Claim inspect_exr(const Bytes& bytes) {
+    Claim claim{Format::exr, 0, 0};
     for (std::size_t at = 8;;) {
         const std::string_view attribute = bytes.text(at, '\0');
-        if (attribute.empty()) bytes.throw_corrupt("OpenEXR header without dataWindow");
+        if (attribute.empty()) return claim;
         at += attribute.size() + 1;
         at += bytes.text(at, '\0').size() + 1;
         const std::uint64_t size = bytes.little(at, 4);
         at += 4;
+        // PIZ, DWAA and DWAB pack an empty block of any width into a few bytes.
+        if (attribute == "compression") {
+            const std::uint64_t method = bytes.little(at, 1);
+            claim.bounded = method != 4 && method < 8;
+        }
         if (attribute != "dataWindow") {
             at += size;
             continue;
@@ -126,7 +124,9 @@ Claim inspect_exr(const Bytes& bytes) {
             corner[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(bytes.little(at + 4 * i, 4)));
         const std::int64_t width = corner[2] - corner[0] + 1, height = corner[3] - corner[1] + 1;
         if (width <= 0 || height <= 0) bytes.throw_corrupt("OpenEXR with an empty dataWindow");
-        return {Format::exr, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)};
+        claim.width = static_cast<std::uint64_t>(width);
+        claim.height = static_cast<std::uint64_t>(height);
+        at += size;
     }
 }
 
@@ -160,6 +160,12 @@ Claim inspect(std::span<const std::byte> data, std::string_view name) {
     else throw Error(fmt::format("{}: is not a PNG, JPEG, WebP, OpenEXR or Radiance HDR image", name));
     if (claim.width == 0 || claim.height == 0)
         throw Error(fmt::format("{}: has no pixels ({} x {})", name, claim.width, claim.height));
+    // Deflate packs at best 258 bytes into 2 bits (RFC 1951), 1032 to 1; a JPEG holds at most 64 pixels in a bit, HDR's
+    // run lengths 16 in a byte. A one-bit PNG packs eight pixels into each of those bytes.
+    const std::uint64_t most = data.size() * 1032 * (claim.format == Format::png ? 8 : 1);
+    if (claim.bounded && claim.height > most / claim.width)
+        throw Error(fmt::format("{}: claims {} x {} pixels, which its {} bytes cannot hold", name, claim.width,
+                                claim.height, data.size()));
     return claim;
 }
 

@@ -16,6 +16,7 @@ struct Claim {
     Format format = Format::png;
     std::uint64_t width = 0;
     std::uint64_t height = 0;
+    bool bounded = true; // no honest file of this kind packs more than about a thousand pixels into a byte
 };
 
 // Throws Error starting with `name` when the bytes are of another format, end within the header, claim no pixels, or are

@@ -4,10 +4,12 @@
 #include "base/file.hpp"
 #include "image/decoder.hpp"
 #include "image/srgb.hpp"
+#include "image/webp.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 namespace ajar {
@@ -104,7 +106,8 @@ void complete_beauty(Image& image) {
 void read_metadata(const OIIO::ImageSpec& spec, Image& image) {
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
         const std::string key = attribute.name().string();
-        const bool own = key.starts_with("oiio:") || key.starts_with("openexr:") || key == "compression";
+        const bool own = key.starts_with("oiio:") || key.starts_with("openexr:") || key == "compression" ||
+                         key == "DateTime"; // empty in this room's files
         if (attribute.type() == OIIO::TypeDesc::STRING && !own)
             image.metadata.emplace_back(key, attribute.get_string());
     }
@@ -136,22 +139,52 @@ std::array<T, 4> spread(const T* values, std::uint32_t channels, T opaque) {
     }
 }
 
+// Undoes the sRGB curve and multiplies by alpha.
+void append_display(Layer& layer, const std::array<float, 4>& encoded) {
+    for (std::size_t c = 0; c < 3; ++c) layer.pixels.push_back(srgb_decode(encoded[c]) * encoded[3]);
+    layer.pixels.push_back(encoded[3]);
+}
+
 Image read_display(Decoder& decoder) {
     Image image{decoder.width(), decoder.height(), {}, {}, Range::display};
     Layer& layer = image.layers.emplace_back(Layer{"", 4, {"R", "G", "B", "A"}, {}});
     const std::uint32_t channels = decoder.channels();
     decoder.read<float>([&](std::uint32_t, std::span<const float> values) {
-        for (std::size_t i = 0; i < values.size(); i += channels) {
-            const auto [r, g, b, a] = spread(values.data() + i, channels, 1.0f);
-            for (const float encoded : {r, g, b}) layer.pixels.push_back(srgb_decode(encoded) * a);
-            layer.pixels.push_back(a);
-        }
+        for (std::size_t i = 0; i < values.size(); i += channels)
+            append_display(layer, spread(values.data() + i, channels, 1.0f));
     });
+    return image;
+}
+
+Image read_webp(std::span<const std::byte> bytes, const std::string& name) {
+    const DecodedImage decoded = decode_rgba8(bytes, name, max_pixels);
+    Image image{decoded.width, decoded.height, {}, {}, Range::display};
+    Layer& layer = image.layers.emplace_back(Layer{"", 4, {"R", "G", "B", "A"}, {}});
+    for (std::size_t i = 0; i < decoded.rgba.size(); i += 4) {
+        std::array<float, 4> encoded{};
+        for (std::size_t c = 0; c < 4; ++c) encoded[c] = static_cast<float>(decoded.rgba[i + c]) / 255;
+        append_display(layer, encoded);
+    }
     return image;
 }
 
 bool is_scene(Format format) {
     return format == Format::exr || format == Format::hdr;
+}
+
+DecodedImage decode_with(Decoder& decoder) {
+    DecodedImage image{decoder.width(), decoder.height(), {}};
+    const std::uint32_t channels = decoder.channels();
+    const auto append = [&]<class T>(std::span<const T> values) {
+        constexpr std::uint32_t top = std::numeric_limits<T>::max();
+        for (std::size_t i = 0; i < values.size(); i += channels)
+            for (const std::uint32_t value : spread<T>(values.data() + i, channels, top))
+                image.rgba.push_back(static_cast<std::uint8_t>((value * 255 + top / 2) / top));
+    };
+    if (decoder.spec().format == OIIO::TypeDesc::UINT16)
+        decoder.read<std::uint16_t>([&](std::uint32_t, std::span<const std::uint16_t> v) { append(v); });
+    else decoder.read<std::uint8_t>([&](std::uint32_t, std::span<const std::uint8_t> v) { append(v); });
+    return image;
 }
 
 } // namespace
@@ -161,6 +194,10 @@ Image read_image(const std::filesystem::path& path) {
     Image image;
     guard_decoding(name, [&] {
         const std::vector<std::byte> bytes = read_file(path);
+        if (inspect(bytes, name).format == Format::webp) {
+            image = read_webp(bytes, name);
+            return;
+        }
         Decoder decoder(bytes, name, max_pixels);
         image = is_scene(decoder.format()) ? read_scene(decoder, name) : read_display(decoder);
     });
@@ -172,18 +209,16 @@ DecodedImage decode_rgba8(std::span<const std::byte> bytes, const std::string& n
     guard_decoding(name, [&] {
         Decoder decoder(bytes, name, limit);
         if (is_scene(decoder.format())) throw Error(fmt::format("{}: is not a PNG, JPEG or WebP image", name));
-        image.width = decoder.width();
-        image.height = decoder.height();
-        const std::uint32_t channels = decoder.channels();
-        const auto append = [&]<class T>(std::span<const T> values) {
-            constexpr std::uint32_t top = std::numeric_limits<T>::max();
-            for (std::size_t i = 0; i < values.size(); i += channels)
-                for (const std::uint32_t value : spread<T>(values.data() + i, channels, top))
-                    image.rgba.push_back(static_cast<std::uint8_t>((value * 255 + top / 2) / top));
-        };
-        if (decoder.spec().format == OIIO::TypeDesc::UINT16)
-            decoder.read<std::uint16_t>([&](std::uint32_t, std::span<const std::uint16_t> v) { append(v); });
-        else decoder.read<std::uint8_t>([&](std::uint32_t, std::span<const std::uint8_t> v) { append(v); });
+        image = decode_with(decoder);
+        if (decoder.format() != Format::webp) return;
+        const std::vector<std::byte> opaque = opaque_webp(bytes, name);
+        if (opaque.empty()) return;
+        Decoder colors_decoder(opaque, name, limit);
+        const DecodedImage colors = decode_with(colors_decoder);
+        if (colors.rgba.size() != image.rgba.size())
+            throw Error(fmt::format("{}: corrupt WebP: two sizes in one file", name));
+        for (std::size_t i = 0; i < image.rgba.size(); ++i)
+            if (i % 4 != 3) image.rgba[i] = colors.rgba[i];
     });
     return image;
 }

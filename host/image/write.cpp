@@ -66,10 +66,7 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Writ
     spec.nchannels = static_cast<int>(channels);
     spec.attribute("compression", "zip");
     for (const auto& [key, value] : image.metadata) spec.attribute(key, value);
-    // OpenImageIO adds the time of day as capDate unless the attribute exists; a string without characters exists, and
-    // is not written.
-    const char* no_date = nullptr;
-    spec.attribute("DateTime", OIIO::TypeDesc::STRING, &no_date);
+    spec.attribute("DateTime", ""); // OpenImageIO writes the time of day where there is none
 
     std::vector<float> values(image.pixel_count() * channels);
     std::size_t to = 0;

@@ -15,7 +15,7 @@ enum class Alpha : std::uint8_t { opaque, keep };   // keep: PNG with alpha, col
 
 struct WriteOptions {
     ExrFloats exr_floats = ExrFloats::half;
-    Tonemap tonemap; // .png, .jpg
+    Tonemap tonemap{}; // .png, .jpg
     Alpha alpha = Alpha::opaque;
     int jpeg_quality = 95; // 1 to 100, colours not subsampled
 };
