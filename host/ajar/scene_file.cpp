@@ -1,0 +1,95 @@
+#include "ajar/scene_file.hpp"
+
+#include "ajar/scene_hash.hpp"
+#include "base/error.hpp"
+#include "image/read.hpp"
+#include "import/import.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace ajar {
+
+namespace {
+
+bool shines(const glm::vec3& color) { return std::max({color.x, color.y, color.z}) > 0; }
+
+bool is_used(const Scene& scene, const std::vector<bool>& wanted) {
+    const auto has_wanted = [&](const Instance& instance) {
+        const auto& materials = scene.meshes[instance.mesh].triangle_materials;
+        return std::any_of(materials.begin(), materials.end(), [&](std::uint32_t m) { return wanted[m]; });
+    };
+    return std::any_of(scene.instances.begin(), scene.instances.end(), has_wanted);
+}
+
+} // namespace
+
+struct SceneFile::Impl {
+    std::string name;
+    Scene scene;
+};
+
+SceneFile::SceneFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SceneFile::~SceneFile() = default;
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+
+SceneFile SceneFile::load(const std::filesystem::path& path, const LoadOptions& options) {
+    ImportOptions import;
+    import.warn = options.warn;
+    import.scene = options.scene;
+    import.aspect = options.aspect;
+    auto impl = std::make_unique<Impl>();
+    impl->name = path.filename().string();
+    impl->scene = import_gltf(path, import).scene;
+    return SceneFile(std::move(impl));
+}
+
+void SceneFile::set_environment(const std::filesystem::path& map, const EnvironmentOptions& options) {
+    if (!std::isfinite(options.strength) || options.strength < 0 || !std::isfinite(options.rotation_degrees))
+        throw Error(fmt::format("{}: an environment's strength must be at least 0 and its rotation finite",
+                                map.string()));
+    EnvironmentImage image = read_environment(map);
+    Environment& environment = impl_->scene.environment.emplace();
+    environment.name = map.filename().string();
+    environment.width = image.width;
+    environment.height = image.height;
+    environment.radiance = std::move(image.radiance);
+    environment.scale = glm::vec3(options.strength);
+    environment.rotation = glm::radians(options.rotation_degrees);
+}
+
+void SceneFile::set_environment(float red, float green, float blue) {
+    const glm::vec3 radiance(red, green, blue);
+    if (!(glm::all(glm::greaterThanEqual(radiance, glm::vec3(0))) && std::isfinite(red + green + blue)))
+        throw Error("environment: its radiance must be at least 0 and finite");
+    Environment& environment = impl_->scene.environment.emplace();
+    environment.name = "constant";
+    environment.scale = radiance;
+}
+
+bool SceneFile::has_light() const {
+    const Scene& scene = impl_->scene;
+    if (scene.environment && shines(scene.environment->scale)) return true;
+    const auto lit = [](const Light& light) { return shines(light.intensity); };
+    if (std::any_of(scene.lights.begin(), scene.lights.end(), lit)) return true;
+    std::vector<bool> visible(scene.materials.size());
+    std::transform(scene.materials.begin(), scene.materials.end(), visible.begin(),
+                   [](const Material& m) { return m.unlit || shines(m.emission); });
+    return is_used(scene, visible);
+}
+
+std::uint64_t SceneFile::triangle_count() const {
+    std::uint64_t count = 0;
+    for (const Instance& instance : impl_->scene.instances)
+        count += impl_->scene.meshes[instance.mesh].triangles.size();
+    return count;
+}
+
+const std::string& SceneFile::name() const { return impl_->name; }
+std::string SceneFile::hash() const { return scene_hash(impl_->scene); }
+const Scene& SceneFile::scene() const { return impl_->scene; }
+
+} // namespace ajar

@@ -1,0 +1,47 @@
+#include "ajar/session.hpp"
+
+#include "ajar/manifest.hpp"
+#include "render/render.hpp"
+
+#include <utility>
+
+namespace ajar {
+
+struct Session::Impl {
+    std::string scene_name;
+    std::string scene_hash;
+    const Scene& scene;
+    const Device& device;
+    Renderer renderer;
+};
+
+Session::Session(const SceneFile& scene, const Device& device, const WarningSink& warn)
+    : impl_(new Impl{scene.name(), scene.hash(), scene.scene(), device, Renderer(device, scene.scene(), warn)}) {}
+
+Session::~Session() = default;
+
+RenderResult Session::render(const RenderSettings& settings, const ProgressSink& progress) {
+    RenderOutput output = impl_->renderer.render(settings, progress);
+    const Manifest manifest{impl_->scene_name, impl_->scene_hash, impl_->scene,
+                            impl_->device,     settings,          output.stats};
+    RenderResult result;
+    result.image = std::move(output.image);
+    for (auto& entry : reproduction_metadata(manifest)) result.image.metadata.push_back(std::move(entry));
+    result.manifest = manifest_json(manifest);
+    result.samples = output.stats.samples;
+    result.interrupted = output.stats.interrupted;
+    result.out_of_time = output.stats.out_of_time;
+    result.prepare_seconds = output.stats.prepare_seconds;
+    result.render_seconds = output.stats.render_seconds;
+    result.rays = output.stats.extension_rays + output.stats.shadow_rays;
+    result.invalid_samples = output.stats.invalid_samples;
+    return result;
+}
+
+RenderResult render(const SceneFile& scene, const Device& device, const RenderSettings& settings,
+                    const ProgressSink& progress) {
+    Session session(scene, device);
+    return session.render(settings, progress);
+}
+
+} // namespace ajar

@@ -1,0 +1,54 @@
+// Renders a scene on a device: once by render(), or many times with other settings by a Session.
+#pragma once
+
+#include "ajar/device.hpp"
+#include "ajar/scene_file.hpp"
+#include "base/events.hpp"
+#include "image/image.hpp"
+#include "render/settings.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace ajar {
+
+struct RenderResult {
+    // Layers: "" (R, G, B, A: linear Rec. 709 radiance, premultiplied) and "variance" (of the pixel's mean); with
+    // settings.aovs also "albedo" "normal" "position" "depth" "emission" "object_id" "material_id" "samples".
+    // Its metadata holds what reproduces it, and no clock.
+    Image image;
+    std::uint32_t samples = 0; // per pixel, done
+    bool interrupted = false;  // the progress callback said stop
+    bool out_of_time = false;  // settings.time_limit was reached
+    double prepare_seconds = 0; // building the hierarchy and uploading
+    double render_seconds = 0;
+    std::uint64_t rays = 0;            // traced, shadow rays included
+    std::uint64_t invalid_samples = 0; // NaN, infinite or negative: dropped
+    // A JSON document: every setting, the hashes of scene and shaders, device, driver, versions, time per kernel, rays.
+    std::string manifest;
+};
+
+// A scene that has been uploaded to a device.
+class Session {
+  public:
+    // Builds the hierarchy and uploads; scene and device must outlive the session. Throws Error when the scene does not
+    // fit.
+    Session(const SceneFile& scene, const Device& device, const WarningSink& warn = {});
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    // progress: stage "render", in samples per pixel; return false to stop and keep what is done.
+    RenderResult render(const RenderSettings& settings, const ProgressSink& progress = {});
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// A session for one image.
+RenderResult render(const SceneFile& scene, const Device& device, const RenderSettings& settings = {},
+                    const ProgressSink& progress = {});
+
+} // namespace ajar

@@ -1,0 +1,7 @@
+#include "ajar/version.hpp"
+
+namespace ajar {
+
+std::string_view version() { return AJAR_VERSION; }
+
+} // namespace ajar
