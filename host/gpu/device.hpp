@@ -32,6 +32,7 @@ struct DeviceOptions {
     std::function<void(std::string_view)> on_validation; // each warning or error of the layer
     std::filesystem::path cache_folder; // where compiled pipelines are kept; empty: nowhere
     bool force_pointers = false; // read scene tables through pointers even where texel buffers would do
+    bool force_staging = false;  // transfers as on a GPU whose memory the host can't see
     std::uint32_t workgroup_size = 0; // 0: chosen by device; Error when it allows fewer
 };
 
@@ -55,7 +56,7 @@ std::filesystem::path default_cache_folder(const char* xdg_cache_home, const cha
 class Device {
   public:
     // Throws Error: no such device, or what it lacks.
-    explicit Device(const DeviceOptions& options);
+    explicit Device(const DeviceOptions& options = {});
     ~Device(); // waits for the device and stores the pipeline cache
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
