@@ -12,7 +12,7 @@ float light_range_window(float distance2, float inverse_range2) {
 LightSample light_point_sample(LightRecord light, vec3 point) {
     const vec3 to_light = light.p0 - point;
     const float distance2 = dot(to_light, to_light);
-    const bool valid = distance2 > LIGHT_NEAR_SQUARED;
+    const bool valid = distance2 > LIGHT_NEAR_SQUARED && distance2 <= LIGHT_FAR;
     LightSample s = light_sample_none();
     s.distance = sqrt(distance2);
     s.wi = valid ? to_light / s.distance : s.wi;

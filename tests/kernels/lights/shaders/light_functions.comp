@@ -1,0 +1,46 @@
+// Applies one function of shaders/lights to many items; see light_functions.glsl.h.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "light_functions.glsl.h"
+#include "core/workgroup.glsl"
+#include "lights/light.glsl"
+#include "lights/light_sampler.glsl"
+
+layout(push_constant, scalar) uniform ArgsBlock { LightFunctionsArgs args; };
+
+void sample_light(inout LightItem item) {
+    const LightSample s = light_sample(item.light, item.point, item.uv);
+    item.direction = s.wi;
+    item.distance = s.distance;
+    item.radiance = s.radiance;
+    item.pdf = s.pdf;
+    item.delta = uint(s.delta);
+    item.triangle = s.triangle;
+}
+
+void pick_light(inout LightItem item) {
+    const vec3 normal = item.direction;
+    const LightPick pick = light_sampler_pick(item.point, normal, item.uv.x);
+    item.light = pick.light;
+    item.pdf = pick.pmf;
+    item.direction = vec3(pick.u);
+    item.distance = light_sampler_pmf(item.point, normal, pick.light);
+}
+
+void main() {
+    const uint i = workgroup_index() * WORKGROUP_SIZE + gl_LocalInvocationID.x;
+    if (i >= args.count) return;
+    LightItem item = args.items.at[i];
+    switch (OPTION) {
+    case LIGHTS_SAMPLE: sample_light(item); break;
+    case LIGHTS_PICK: pick_light(item); break;
+    case LIGHTS_ENVIRONMENT: {
+        const vec4 found = environment_lookup(item.direction);
+        item.radiance = found.rgb;
+        item.pdf = found.a;
+        break;
+    }
+    default: item.pdf = light_pdf_triangle(item.direction, item.distance, item.point, item.uv.x); break;
+    }
+    args.items.at[i] = item;
+}

@@ -1,0 +1,178 @@
+#include "base/error.hpp"
+#include "render/alias_table.hpp"
+#include "render/environment_table.hpp"
+
+#include <bit>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace ajar {
+namespace {
+
+constexpr double PI = std::numbers::pi;
+
+Environment random_map(std::uint32_t width, std::uint32_t height) {
+    std::mt19937 random(width * 131 + height);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    Environment e;
+    e.width = width;
+    e.height = height;
+    e.radiance.resize(std::size_t{width} * height);
+    for (glm::vec3& texel : e.radiance) {
+        const float level = uniform(random) < 0.3f ? 0.0f : std::exp(6 * uniform(random));
+        texel = level * glm::vec3(uniform(random), uniform(random), uniform(random));
+    }
+    return e;
+}
+
+double density(const EnvironmentTable& table, std::uint32_t x, std::uint32_t y) {
+    return std::bit_cast<float>(table.words[std::size_t{y} * table.width + x].w);
+}
+
+double texel_solid_angle(std::uint32_t width, std::uint32_t height, std::uint32_t y) {
+    return 2 * PI / width * (std::cos(PI * y / height) - std::cos(PI * (y + 1) / height));
+}
+
+double luminance_at(const Environment& e, std::int64_t x, std::int64_t y) {
+    x = (x + e.width) % e.width;
+    y = std::clamp<std::int64_t>(y, 0, e.height - 1);
+    const glm::vec3& c = e.radiance[static_cast<std::size_t>(y) * e.width + static_cast<std::size_t>(x)];
+    return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
+// Mean of the bilinear lookup over a texel by the midpoint rule, which is exact for what is linear in each quarter.
+double mean_lookup(const Environment& e, std::int64_t x, std::int64_t y) {
+    double sum = 0;
+    for (const double v : {-0.25, 0.25})
+        for (const double u : {-0.25, 0.25}) {
+            const std::int64_t dx = u < 0 ? -1 : 1;
+            const std::int64_t dy = v < 0 ? -1 : 1;
+            sum += (0.75 * luminance_at(e, x, y) + 0.25 * luminance_at(e, x + dx, y)) * 0.75 +
+                   (0.75 * luminance_at(e, x, y + dy) + 0.25 * luminance_at(e, x + dx, y + dy)) * 0.25;
+        }
+    return sum / 4;
+}
+
+// The tree's lookup in plain words: the entry whose interval of the cumulative sum holds `target`.
+std::uint32_t walk(const std::vector<glm::uvec4>& words, std::size_t first, std::uint32_t rows, std::uint32_t row,
+                   std::uint32_t count, std::uint32_t target) {
+    std::uint32_t level = 1;
+    while (std::pow(4.0, level) < count) ++level;
+    std::uint32_t index = 0;
+    for (; level > 0; --level) {
+        const auto span = static_cast<std::uint32_t>(std::pow(4.0, level));
+        const std::uint32_t nodes = (count + span - 1) / span;
+        const glm::uvec4 begins = words[first + std::size_t{row} * nodes + index];
+        std::uint32_t child = 3;
+        while (child > 0 && begins[static_cast<int>(child)] > target) --child;
+        index = 4 * index + child;
+        first += std::size_t{rows} * nodes;
+    }
+    return index;
+}
+
+TEST(EnvironmentTable, DensityIntegratesToOneOverTheSphere) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {2u, 1u}, {5u, 3u}, {64u, 32u}, {257u, 128u}}) {
+        const EnvironmentTable table = build_environment_table(random_map(width, height));
+        double sum = 0;
+        for (std::uint32_t y = 0; y < height; ++y)
+            for (std::uint32_t x = 0; x < width; ++x) sum += density(table, x, y) * texel_solid_angle(width, height, y);
+        EXPECT_NEAR(sum, 1, 1e-6) << width << " x " << height;
+    }
+}
+
+TEST(EnvironmentTable, DensityIsInProportionToTheMeanOfTheBilinearLookup) {
+    const Environment e = random_map(64, 32);
+    const EnvironmentTable table = build_environment_table(e);
+    double total = 0;
+    for (std::uint32_t y = 0; y < 32; ++y)
+        for (std::uint32_t x = 0; x < 64; ++x) total += mean_lookup(e, x, y) * texel_solid_angle(64, 32, y);
+    for (std::uint32_t y = 0; y < 32; ++y)
+        for (std::uint32_t x = 0; x < 64; ++x) {
+            // Conditional and marginal are rounded to 2^-24 each.
+            const double expected = mean_lookup(e, x, y) / total;
+            EXPECT_NEAR(density(table, x, y), expected, 1e-3 * expected + 1e-4) << x << ", " << y;
+        }
+}
+
+TEST(EnvironmentTable, DensityIsPositiveWhereverTheLookupIs) {
+    Environment e = random_map(32, 16);
+    for (glm::vec3& texel : e.radiance) texel = glm::vec3(0);
+    e.radiance[5 * 32 + 31] = glm::vec3(0, 0, 1e-20f);
+    e.radiance[9 * 32 + 4] = glm::vec3(1e9f);
+    const EnvironmentTable table = build_environment_table(e);
+    for (std::uint32_t y = 0; y < 16; ++y)
+        for (std::uint32_t x = 0; x < 32; ++x)
+            EXPECT_EQ(density(table, x, y) > 0, mean_lookup(e, x, y) > 0) << x << ", " << y;
+}
+
+TEST(EnvironmentTable, TreesFindEveryEntryOverExactlyItsInterval) {
+    std::mt19937 random(7);
+    for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 16u, 17u, 100u, 1000u, 1025u}) {
+        const std::uint32_t rows = 3;
+        std::vector<std::uint32_t> masses;
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            std::vector<double> weights(count);
+            for (double& w : weights) w = random() % 3 == 0 ? 0.0 : static_cast<double>(random() % 100000);
+            weights[count - 1] += row == 1 ? 0 : 1;
+            weights[0] += row == 1 ? 1 : 0;
+            const std::vector<std::uint32_t> some = apportion(weights, PROBABILITY_UNITS);
+            masses.insert(masses.end(), some.begin(), some.end());
+        }
+        std::vector<glm::uvec4> words(11);
+        append_search_trees(words, masses, rows, count);
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            std::uint32_t begin = 0;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::uint32_t mass = masses[std::size_t{row} * count + i];
+                if (mass > 0) {
+                    EXPECT_EQ(walk(words, 11, rows, row, count, begin), i);
+                    EXPECT_EQ(walk(words, 11, rows, row, count, begin + mass - 1), i);
+                }
+                begin += mass;
+            }
+        }
+    }
+}
+
+TEST(EnvironmentTable, TreatsBrokenTexelsAsBlack) {
+    Environment e = random_map(8, 4);
+    for (glm::vec3& texel : e.radiance) texel = glm::vec3(NAN, -1, 0);
+    e.radiance[3].y = INFINITY;
+    const EnvironmentTable table = build_environment_table(e);
+    for (std::uint32_t y = 0; y < 4; ++y)
+        for (std::uint32_t x = 0; x < 8; ++x) {
+            const glm::vec4 word = std::bit_cast<glm::vec4>(table.words[y * 8 + x]);
+            for (int c = 0; c < 4; ++c) EXPECT_TRUE(std::isfinite(word[c]) && word[c] >= 0);
+        }
+}
+
+TEST(EnvironmentTable, IsEmptyForAConstantAndRefusesAbsurdSizes) {
+    EXPECT_TRUE(build_environment_table(Environment{}).words.empty());
+    Environment e;
+    e.width = 65537;
+    e.height = 1;
+    e.radiance = std::vector<glm::vec3>(65537, glm::vec3(1));
+    EXPECT_THROW(build_environment_table(e), Error);
+}
+
+TEST(EnvironmentTable, MeanRadianceWeighsTexelsBySolidAngle) {
+    Environment e;
+    e.scale = glm::vec3(2, 1, 0.5f);
+    EXPECT_EQ(mean_radiance(e), glm::dvec3(2, 1, 0.5));
+    // L = cos^2 of the angle from +Y: mean 1/3.
+    e.width = 4;
+    e.height = 512;
+    for (std::uint32_t y = 0; y < e.height; ++y)
+        for (std::uint32_t x = 0; x < e.width; ++x) {
+            const double c = std::cos(PI * (y + 0.5) / e.height);
+            e.radiance.emplace_back(static_cast<float>(c * c));
+        }
+    EXPECT_NEAR(mean_radiance(e).x, 2.0 / 3, 1e-5);
+    EXPECT_NEAR(mean_radiance(e).z, 0.5 / 3, 1e-5);
+}
+
+} // namespace
+} // namespace ajar

@@ -1,0 +1,135 @@
+#include "render/emission_means.hpp"
+#include "render/light_table.hpp"
+#include "shaders/shared/specialization.glsl.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace ajar {
+namespace {
+
+constexpr double PI = std::numbers::pi;
+
+Light spot(float inner, float outer) {
+    Light light;
+    light.kind = LightKind::spot;
+    light.inner_cone_angle = inner;
+    light.outer_cone_angle = outer;
+    return light;
+}
+
+// The extension's profile integrated over the sphere.
+double spot_power_by_quadrature(const Light& light) {
+    const double outer = std::cos(double{light.outer_cone_angle});
+    const double scale = 1 / std::max(0.001, std::cos(double{light.inner_cone_angle}) - outer);
+    const int steps = 1000000;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double c = -1 + 2 * (i + 0.5) / steps;
+        const double a = std::clamp((c - outer) * scale, 0.0, 1.0);
+        sum += a * a * 2 / steps;
+    }
+    return 2 * PI * sum;
+}
+
+TEST(LightTable, PowersAreTheIntegralsOfWhatIsSentOut) {
+    EmissiveTriangle triangle;
+    triangle.emission = glm::vec3(3);
+    triangle.area = 2;
+    EXPECT_NEAR(light_power(triangle), 6 * PI, 1e-6);
+    triangle.two_sided = true;
+    EXPECT_NEAR(light_power(triangle), 12 * PI, 1e-6);
+
+    Light light;
+    EXPECT_NEAR(light_power(light, 5), 4 * PI, 1e-6);
+    for (const auto& [inner, outer] : {std::pair{0.0f, 0.7f}, {0.5f, 0.52f}, {0.0f, 1.5f}, {0.3f, 0.3f}, {0.0f, 0.01f}}) {
+        const double expected = spot_power_by_quadrature(spot(inner, outer));
+        EXPECT_NEAR(light_power(spot(inner, outer), 5), expected, 2e-3 * expected) << inner << " " << outer;
+    }
+    light.kind = LightKind::directional;
+    EXPECT_NEAR(light_power(light, 3), 9 * PI, 1e-5);
+
+    Environment environment;
+    environment.scale = glm::vec3(0.5f);
+    EXPECT_NEAR(light_power(environment, 3), 4 * PI * 0.5 * 9 * PI, 1e-4);
+}
+
+TEST(LightTable, WeighsColoursByLuminance) {
+    Light red;
+    red.intensity = glm::vec3(1, 0, 0);
+    Light green;
+    green.intensity = glm::vec3(0, 1, 0);
+    EXPECT_NEAR(light_power(green, 1) / light_power(red, 1), 0.7152 / 0.2126, 1e-4);
+}
+
+Scene small_scene() {
+    Scene scene;
+    scene.lights.resize(2);
+    scene.lights[0].range = 4;
+    scene.lights[1] = spot(0.2f, 0.4f);
+    scene.lights[1].direction = glm::vec3(0, -1, 0);
+    scene.environment = Environment{};
+    return scene;
+}
+
+TEST(LightTable, OrdersTrianglesThenPunctualLightsThenTheEnvironment) {
+    std::vector<EmissiveTriangle> triangles(3);
+    for (EmissiveTriangle& t : triangles) {
+        t.p1 = glm::vec3(1, 0, 0);
+        t.p2 = glm::vec3(0, 1, 0);
+        t.area = 0.5f;
+    }
+    triangles[1].emission = glm::vec3(1);
+    triangles[1].triangle = 42;
+    triangles[2].emission = glm::vec3(1);
+    triangles[2].two_sided = triangles[2].textured = true;
+    const LightTable table = build_light_table(small_scene(), triangles, 2);
+    ASSERT_EQ(table.lights.size(), 6u);
+    EXPECT_EQ(table.environment_light, 5u);
+    EXPECT_EQ(table.lights[1].triangle, 42u);
+    EXPECT_EQ(table.lights[2].kind, shared::LIGHT_TRIANGLE | shared::LIGHT_TWO_SIDED | shared::LIGHT_TEXTURED);
+    EXPECT_EQ(table.lights[3].kind, shared::LIGHT_POINT);
+    EXPECT_EQ(table.lights[3].p2.x, 1.0f / 16);
+    EXPECT_EQ(table.lights[4].kind, shared::LIGHT_SPOT);
+    EXPECT_EQ(table.lights[5].kind, shared::LIGHT_ENVIRONMENT);
+    EXPECT_EQ(table.features, shared::FEATURE_EMISSIVE_TRIANGLES | shared::FEATURE_PUNCTUAL_LIGHTS |
+                                  shared::FEATURE_CONSTANT_ENVIRONMENT);
+    EXPECT_EQ(table.lights[0].power_pmf, 0.0f) << "it emits nothing";
+    double sum = 0;
+    double power = 0;
+    for (std::size_t i = 0; i < 6; ++i) sum += table.lights[i].power_pmf, power += table.powers[i];
+    EXPECT_EQ(sum, 1.0);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(table.lights[i].power_pmf, table.powers[i] / power, 1e-6);
+}
+
+TEST(LightTable, WordsHoldRecordsThenTheAliasTable) {
+    const LightTable table = build_light_table(small_scene(), {}, 2);
+    const std::vector<glm::uvec4> words = table.words();
+    ASSERT_EQ(table.alias_first(), 12u);
+    ASSERT_EQ(words.size(), 12u + 4u);
+    EXPECT_EQ(std::memcmp(words.data() + 4, &table.lights[1], sizeof table.lights[1]), 0);
+    EXPECT_EQ(std::memcmp(words.data() + 12, table.alias.data(), 64), 0);
+}
+
+TEST(LightTable, OfASceneWithoutLightsCanStillBeUploaded) {
+    const LightTable table = build_light_table(Scene{}, {}, 1);
+    EXPECT_EQ(table.environment_light, shared::NO_LIGHT);
+    EXPECT_EQ(table.features, 0u);
+    EXPECT_FALSE(table.words().empty());
+}
+
+TEST(LightTable, GivesBrokenAndDegenerateLightsNoChance) {
+    std::vector<EmissiveTriangle> triangles(4);
+    for (EmissiveTriangle& t : triangles) t.emission = glm::vec3(1);
+    triangles[1].area = NAN;
+    triangles[2].area = 1;
+    triangles[3].area = 1;
+    triangles[3].emission = glm::vec3(-1);
+    const LightTable table = build_light_table(Scene{}, triangles, 1);
+    EXPECT_EQ(table.lights[2].power_pmf, 1.0f);
+}
+
+} // namespace
+} // namespace ajar
