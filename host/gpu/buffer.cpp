@@ -137,7 +137,7 @@ void Buffer::Impl::allocate(bool staging) {
     buffer.bindMemory(*memory, 0);
     const vk::MemoryPropertyFlags visible =
         vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
-    if ((choice.flags & visible) == visible) {
+    if ((choice.flags & visible) == visible && (staging || !device.options().force_staging)) {
         mapped = static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
         fast_reads = bool(choice.flags & vk::MemoryPropertyFlagBits::eHostCached);
     }
@@ -149,6 +149,7 @@ Buffer::Buffer(const Device& device, std::uint64_t size_bytes, std::string_view 
     clear();
 }
 
+Buffer::Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&&) noexcept = default;
 Buffer::~Buffer() = default;

@@ -12,7 +12,7 @@ namespace ajar::gpu {
 
 class Buffer {
   public:
-    Buffer() = default; // empty: size 0, address 0
+    Buffer(); // empty: size 0, address 0
     // Zero-filled. Throws Error (out of device memory: says how much was asked for what, and how much there is).
     Buffer(const Device& device, std::uint64_t size_bytes, std::string_view label);
     Buffer(Buffer&&) noexcept;

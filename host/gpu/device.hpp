@@ -27,10 +27,10 @@ struct DeviceDescription {
 std::vector<DeviceDescription> list_devices();
 
 struct DeviceOptions {
-    std::string select; // index, or part of the name in any case; empty: discrete GPU, integrated, then CPU
+    std::string select = {}; // index, or part of the name in any case; empty: discrete GPU, integrated, then CPU
     bool validation = false; // load the Khronos validation layer; Error when it is not installed
-    std::function<void(std::string_view)> on_validation; // each warning or error of the layer
-    std::filesystem::path cache_folder; // where compiled pipelines are kept; empty: nowhere
+    std::function<void(std::string_view)> on_validation = {}; // each warning or error of the layer
+    std::filesystem::path cache_folder = {}; // where compiled pipelines are kept; empty: nowhere
     bool force_pointers = false; // read scene tables through pointers even where texel buffers would do
     bool force_staging = false;  // transfers as on a GPU whose memory the host can't see
     std::uint32_t workgroup_size = 0; // 0: chosen by device; Error when it allows fewer
