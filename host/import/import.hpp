@@ -67,4 +67,7 @@ ImportResult import_gltf(const std::filesystem::path& path, const ImportOptions&
 ImportResult import_gltf_memory(std::span<const std::byte> bytes, const std::filesystem::path& base_folder,
                                 const ImportOptions& options = {});
 
+// An equirectangular Radiance HDR or OpenEXR file, named after the file.
+Environment import_environment(const std::filesystem::path& path);
+
 } // namespace ajar

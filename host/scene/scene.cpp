@@ -98,6 +98,32 @@ Bounds scene_bounds(const Scene& scene) {
     return bounds;
 }
 
+bool has_light(const Scene& scene) {
+    const auto shines = [](const glm::vec3& radiance) { return radiance.x > 0 || radiance.y > 0 || radiance.z > 0; };
+    if (scene.environment && shines(scene.environment->scale)) return true;
+    for (const Light& light : scene.lights)
+        if (shines(light.intensity)) return true;
+    std::vector<bool> is_placed(scene.meshes.size());
+    for (const Instance& instance : scene.instances) is_placed[instance.mesh] = true;
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        if (!is_placed[i]) continue;
+        for (const std::uint32_t material : scene.meshes[i].triangle_materials)
+            if (shines(scene.materials[material].emission)) return true;
+    }
+    return false;
+}
+
+std::uint64_t memory_bytes(const Scene& scene) {
+    const auto bytes = [](const auto& values) { return std::uint64_t{values.size()} * sizeof(values[0]); };
+    std::uint64_t total = bytes(scene.instances) + bytes(scene.materials) + bytes(scene.lights);
+    for (const Mesh& mesh : scene.meshes)
+        total += bytes(mesh.positions) + bytes(mesh.normals) + bytes(mesh.tangents) + bytes(mesh.uv0) +
+                 bytes(mesh.uv1) + bytes(mesh.colors) + bytes(mesh.triangles) + bytes(mesh.triangle_materials);
+    for (const TextureImage& image : scene.images) total += bytes(image.rgba);
+    if (scene.environment) total += bytes(scene.environment->radiance);
+    return total;
+}
+
 Camera framing_camera(const Scene& scene, float aspect) {
     Camera camera;
     camera.name = "automatic";

@@ -80,7 +80,9 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_materials; // Scene::materials, one per triangle
 };
 
-// A mesh placed in the world. Its index in Scene::instances is the object id of the AOVs.
+// A mesh placed in the world. Its index in Scene::instances is the object id of the AOVs. The front of a triangle is
+// where its corners run counter-clockwise, in the mesh's space: a transform of negative determinant, which mirrors,
+// turns them clockwise in the world and the front stays the front (glTF 2.0, section 3.7.4).
 struct Instance {
     std::string name; // the node's
     std::uint32_t mesh = 0;
@@ -145,6 +147,12 @@ struct Bounds {
 
 // World-space box of all instances.
 Bounds scene_bounds(const Scene& scene);
+
+// Whether anything shines: a light, an environment, or an emissive material that a placed triangle has.
+bool has_light(const Scene& scene);
+
+// Bytes of host memory that the scene's arrays take.
+std::uint64_t memory_bytes(const Scene& scene);
 
 // Checks what every consumer relies on: indices in range, attribute lengths, finite numbers. Throws Error naming the
 // part ("mesh 3 'wheel': triangle 7: ...").
