@@ -37,6 +37,8 @@ struct RenderStats {
     std::uint64_t shadow_rays = 0;
     std::uint64_t shadow_rays_open = 0; // that reached their light
     std::uint64_t invalid_samples = 0;  // NaN, Inf or negative: dropped
+    std::uint32_t invalid_pixel = 0;    // of the first: x | y << 16
+    std::uint32_t invalid_sample = 0;
     std::uint64_t saturated_samples = 0;
     std::uint64_t exhausted_loops = 0;
     gpu::Profile profile; // device time per kernel

@@ -19,6 +19,7 @@ struct RenderSettings {
     std::string integrator = "path";      // a row of integrators()
     std::string strategy = "mis";         // a row of strategies()
     std::string light_sampler = "power";  // a row of light_samplers()
+    std::string naive_sampling = "bsdf";  // integrator naive: "bsdf" or "cosine"
     std::string camera;                   // name or index; empty: the scene's
     PixelFilter filter = PixelFilter::box;
     float filter_radius = 0;              // pixels; 0: the filter's own default
@@ -28,6 +29,7 @@ struct RenderSettings {
     bool aovs = false;                    // albedo, normal, position, depth, emission, object and material id
 
     // These never change the image.
+    std::uint64_t bake_below_triangles = 1u << 20; // scenes with fewer triangles are traced without instancing
     double time_limit = 0;          // seconds; 0: none. Stops after the sample under way (then fewer samples are done)
     std::uint32_t pool_paths = 0;   // paths in flight; 0: chosen by device
     std::uint32_t segment_paths = 0; // paths per segment; 0: chosen by device

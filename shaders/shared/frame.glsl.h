@@ -48,9 +48,8 @@ struct FrameRecord {
     uint seed;
     uint max_bounces;            // indirect bounces; 0: emission and direct light
     uint rr_depth;               // Russian roulette from this bounce on
-    uint filter_kind;            // FILTER_*
     vec3 background;             // constant environment, radiance (W/(m^2 sr)); 0 where there is a map
-    float filter_radius;         // pixels
+    float filter_radius;         // pixels; which filter: SPEC_OPTION of generate
     vec3 environment_scale;
     float environment_cos;       // rotation about +Y
     float environment_sin;
@@ -66,10 +65,11 @@ struct FrameRecord {
     uint cull_backfaces;         // 1: single-sided triangles are not there from behind
     uint instance_count;
     float ao_distance;           // reach of the ao integrator, metres
-    uint pad;
+    uint pad[2];
 };
 DUAL_SIZE(FrameRecord, 272);
 
+// SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;
 const uint FILTER_GAUSSIAN = 1;
 const uint FILTER_BLACKMAN_HARRIS = 2;

@@ -14,7 +14,7 @@ struct PathState {
     vec3 direction;   // world, unit
     float pdf;        // density of `direction` by solid angle (1/sr) as BSDF sampling made it; 0: delta or camera ray
     vec3 beta;        // throughput: product of f cos / pdf, Russian roulette included
-    uint flags;       // PATH_* bits
+    uint salt;        // random bits of this ray, for stochastic alpha
     uint triangle;    // in: triangle the ray leaves (NO_TRIANGLE: none); out: triangle hit, in leaf order
     uint instance;    // likewise; index of the InstanceRecord
     float u;          // out: barycentric weight of the triangle's second vertex

@@ -1,0 +1,84 @@
+// The tables behind --integrator, --strategy, --light-sampler and --filter.
+#include "render/choices.hpp"
+
+#include "base/error.hpp"
+#include "render/integrator.hpp"
+#include "shaders/shared/frame.glsl.h"
+#include "shaders/shared/specialization.glsl.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace ajar {
+
+namespace {
+
+constexpr IntegratorRow INTEGRATORS[] = {
+    {{"path", "path tracing with direct lighting: shadow rays and multiple importance sampling"}, make_path_integrator},
+    {{"naive", "path tracing without shadow rays: lights are found by chance"}, make_naive_integrator},
+    {{"normals", "shading normals as colours"}, make_normals_integrator},
+    {{"albedo", "reflectance of what the camera sees"}, make_albedo_integrator},
+    {{"ao", "ambient occlusion within a distance"}, make_ao_integrator},
+};
+
+struct ConstantRow {
+    Choice choice;
+    std::uint32_t constant; // what the kernels are specialised with
+};
+
+constexpr ConstantRow STRATEGIES[] = {
+    {{"mis", "both, combined by multiple importance sampling (power heuristic)"}, shared::STRATEGY_MIS},
+    {{"light", "shadow rays alone: mirrors still see lights directly"}, shared::STRATEGY_LIGHT},
+    {{"bsdf", "BSDF sampling alone: point, spot and directional lights are not seen"}, shared::STRATEGY_BSDF},
+};
+
+constexpr ConstantRow LIGHT_SAMPLERS[] = {
+    {{"power", "in proportion to each light's power"}, shared::LIGHT_SAMPLER_POWER},
+    {{"uniform", "every light as often as any other"}, shared::LIGHT_SAMPLER_UNIFORM},
+};
+
+constexpr ConstantRow FILTERS[] = {
+    {{"box", "the pixel's square (radius 0.5)"}, shared::FILTER_BOX},
+    {{"gaussian", "a bell cut at its radius (1.5)"}, shared::FILTER_GAUSSIAN},
+    {{"blackman-harris", "Cycles' default (radius 1.5)"}, shared::FILTER_BLACKMAN_HARRIS},
+};
+
+template <class Row, std::size_t N> constexpr std::array<Choice, N> choices_of(const Row (&rows)[N]) {
+    std::array<Choice, N> choices{};
+    for (std::size_t i = 0; i < N; ++i) choices[i] = rows[i].choice;
+    return choices;
+}
+
+constexpr auto INTEGRATOR_CHOICES = choices_of(INTEGRATORS);
+constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
+constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
+constexpr auto FILTER_CHOICES = choices_of(FILTERS);
+
+template <class Row> const Row& find(std::span<const Row> rows, std::string_view what, std::string_view name) {
+    std::string known;
+    for (const Row& row : rows) {
+        if (row.choice.name == name) return row;
+        known += known.empty() ? row.choice.name : std::string(", ") + row.choice.name;
+    }
+    throw Error(fmt::format("{} '{}': there is none of that name (there are: {})", what, name, known));
+}
+
+} // namespace
+
+std::span<const Choice> integrators() { return INTEGRATOR_CHOICES; }
+std::span<const Choice> strategies() { return STRATEGY_CHOICES; }
+std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
+std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
+
+const IntegratorRow& find_integrator(std::string_view name) {
+    return find(std::span<const IntegratorRow>(INTEGRATORS), "integrator", name);
+}
+std::uint32_t find_strategy(std::string_view name) {
+    return find(std::span<const ConstantRow>(STRATEGIES), "strategy", name).constant;
+}
+std::uint32_t find_light_sampler(std::string_view name) {
+    return find(std::span<const ConstantRow>(LIGHT_SAMPLERS), "light sampler", name).constant;
+}
+
+} // namespace ajar

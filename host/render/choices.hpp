@@ -1,0 +1,15 @@
+// Names to what they stand for; each throws Error that lists the known names.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace ajar {
+
+struct IntegratorRow;
+
+const IntegratorRow& find_integrator(std::string_view name);
+std::uint32_t find_strategy(std::string_view name);      // STRATEGY_*
+std::uint32_t find_light_sampler(std::string_view name); // LIGHT_SAMPLER_*
+
+} // namespace ajar

@@ -1,0 +1,42 @@
+// Triangles, surfaces and instances as the device reads them: what is baked into the world and what stays instanced.
+#pragma once
+
+#include "bvh/bvh.hpp"
+#include "scene/scene.hpp"
+#include "shaders/shared/geometry.glsl.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ajar {
+
+struct GeometryOptions {
+    bool cull_backfaces = false;
+    bool extended_surfaces = false; // store second texture coordinates, tangents and vertex colours
+    // Meshes used more than once are baked as well while all triangles stay below this: one level is faster to trace.
+    std::uint64_t bake_below_triangles = 1u << 20;
+};
+
+// Where a baked triangle came from.
+struct TriangleSource {
+    std::uint32_t instance = 0; // Scene::instances; for meshes that stay instanced: any instance of the mesh
+    std::uint32_t triangle = 0; // of its mesh
+};
+
+struct GeometryTable {
+    bvh::SceneBvh bvh;
+    std::vector<shared::TriangleRecord> triangles; // leaf order
+    std::vector<TriangleSource> sources;           // leaf order
+    std::vector<std::uint32_t> surfaces;           // SurfaceRecord, SurfaceExtension: words, leaf order
+    std::uint32_t surface_words = 0;               // per triangle
+    std::vector<shared::InstanceRecord> instances; // 0: the world
+    std::uint32_t world_triangles = 0;             // leaf order begins with them
+    bool has_alpha = false;
+};
+
+GeometryTable build_geometry_table(const Scene& scene, const GeometryOptions& options);
+
+// Whether any mesh has what a SurfaceExtension holds and a material could use.
+bool wants_extended_surfaces(const Scene& scene, bool uses_uv1);
+
+} // namespace ajar

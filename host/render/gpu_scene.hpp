@@ -1,0 +1,54 @@
+// A scene on the device: its tables, and the part of the FrameRecord that describes it.
+#pragma once
+
+#include "gpu/bindings.hpp"
+#include "scene/scene.hpp"
+#include "shaders/shared/bindings.glsl.h"
+#include "shaders/shared/frame.glsl.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace ajar {
+
+struct GpuSceneOptions {
+    bool cull_backfaces = false;
+    glm::vec3 background{0, 0, 0}; // a constant environment where the scene has none; radiance
+    std::uint64_t bake_below_triangles = 1u << 20; // see GeometryOptions
+    bool operator==(const GpuSceneOptions&) const = default;
+};
+
+class GpuScene {
+  public:
+    // Builds the hierarchy, the lights' distributions and the tables, and uploads them. Throws Error.
+    GpuScene(const gpu::Device& device, const Scene& scene, const GpuSceneOptions& options);
+
+    // FEATURE_* bits of everything in the scene.
+    std::uint32_t features() const { return features_; }
+    // 1: tables are read through texel buffers; 0: one does not fit the device's, so all go through pointers.
+    std::uint32_t texel_buffers() const { return texel_buffers_; }
+    void bind(gpu::Bindings& bindings) const;
+    // The fields that concern the scene; those of camera, film and settings are zero.
+    const shared::FrameRecord& frame() const { return frame_; }
+
+    std::uint64_t triangle_count() const { return triangle_count_; }
+    std::uint64_t device_bytes() const;
+    double bvh_seconds() const { return bvh_seconds_; }
+
+  private:
+    struct Host; // the tables before they are uploaded
+    void build_geometry(const Scene& scene, const GpuSceneOptions& options, Host& host);
+    void place_environment(const std::optional<Environment>& environment, Host& host);
+    void build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host);
+    void upload(const gpu::Device& device, const Host& host);
+
+    std::array<gpu::Buffer, shared::TABLE_COUNT> tables_; // by binding - BIND_TABLE_FIRST
+    shared::FrameRecord frame_{};
+    std::uint32_t features_ = 0;
+    std::uint32_t texel_buffers_ = 1;
+    std::uint64_t triangle_count_ = 0;
+    double bvh_seconds_ = 0;
+};
+
+} // namespace ajar

@@ -1,0 +1,73 @@
+// An integrator is an ordered list of dispatches that takes a pass from camera rays to path radiances.
+#pragma once
+
+#include "gpu/kernel.hpp"
+#include "render/render.hpp"
+#include "render/settings.hpp"
+#include "shaders/shared/segment_args.glsl.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ajar {
+
+// What integrators compile their kernels for.
+struct IntegratorContext {
+    const gpu::Device& device;
+    const RenderSettings& settings;
+    gpu::Specialization specialization; // workgroup and segment size, tables, features, strategy, light sampler
+
+    // The same with SPEC_OPTION set.
+    gpu::Specialization with_option(std::uint32_t option) const;
+};
+
+// One dispatch, given the slice of segments it works on.
+using Step = std::function<void(gpu::Commands&, const shared::SegmentArgs&)>;
+
+// The dispatches of a pass, in order.
+class Steps {
+  public:
+    // A kernel over segments; its arguments are the slice alone. The kernel must outlive the steps.
+    template <class Args> void add(const gpu::Kernel<Args>& kernel, std::uint32_t bounce) {
+        list_.push_back([&kernel, bounce](gpu::Commands& commands, const shared::SegmentArgs& slice) {
+            Args args{slice};
+            args.segments.bounce = bounce;
+            kernel.dispatch(commands, args, slice.segment_count);
+        });
+    }
+    void add(Step step) { list_.push_back(std::move(step)); }
+    // Where the attributes of first hits are taken, if they are asked for: after bounce 0's extend.
+    void add_aovs() {
+        if (aovs_) list_.push_back(aovs_);
+    }
+    void set_aovs(Step step) { aovs_ = std::move(step); }
+    const std::vector<Step>& list() const { return list_; }
+
+  private:
+    std::vector<Step> list_;
+    Step aovs_;
+};
+
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+    // Adds what lies between generate and accumulate.
+    virtual void add_steps(Steps& steps) const = 0;
+};
+
+// A row of the table that --integrator and --help print (choices.cpp).
+struct IntegratorRow {
+    Choice choice;
+    std::unique_ptr<Integrator> (*make)(const IntegratorContext&);
+};
+
+std::unique_ptr<Integrator> make_path_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_naive_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_normals_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_albedo_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_ao_integrator(const IntegratorContext& context);
+
+} // namespace ajar

@@ -1,0 +1,79 @@
+#include "render/path_pool.hpp"
+
+#include "base/error.hpp"
+#include "shaders/shared/bindings.glsl.h"
+#include "shaders/shared/path.glsl.h"
+
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace ajar {
+
+namespace {
+
+using namespace shared;
+
+constexpr std::uint32_t MAX_SEGMENTS = 65536; // the interleaving's products stay within 32 bits
+
+// Measured: 512 paths a segment and 256 k in flight on lavapipe; a GPU wants one workgroup a segment and millions.
+std::uint32_t default_segment(const gpu::Device& device) {
+    return device.limits().is_cpu ? 512 : std::max(device.workgroup_size(), 64u);
+}
+
+std::uint32_t default_pool(const gpu::Device& device) { return device.limits().is_cpu ? 1u << 18 : 1u << 20; }
+
+std::uint64_t from_words(const uint (&words)[2]) { return words[0] | std::uint64_t{words[1]} << 32; }
+
+} // namespace
+
+PathPool::PathPool(const gpu::Device& device, const RenderSettings& settings, std::uint64_t wanted_paths) {
+    segment_paths_ = settings.segment_paths != 0 ? settings.segment_paths : default_segment(device);
+    if (!std::has_single_bit(segment_paths_) || segment_paths_ > MAX_SEGMENT_SIZE ||
+        segment_paths_ % device.workgroup_size() != 0)
+        throw Error(fmt::format("{} paths per segment: must be a power of two, a multiple of the workgroup's {} "
+                                "threads and at most {}", segment_paths_, device.workgroup_size(), MAX_SEGMENT_SIZE));
+    const std::uint64_t bindable = device.limits().max_storage_bytes / sizeof(PathState);
+    std::uint64_t paths = settings.pool_paths != 0 ? settings.pool_paths : default_pool(device);
+    paths = std::clamp<std::uint64_t>(std::min(paths, wanted_paths), 1, bindable);
+    segments_ = static_cast<std::uint32_t>(
+        std::clamp<std::uint64_t>((paths + segment_paths_ - 1) / segment_paths_, 1,
+                                  std::min<std::uint64_t>(MAX_SEGMENTS, bindable / segment_paths_)));
+    path_buffer_ = gpu::Buffer(device, this->paths() * sizeof(PathState), "paths");
+    shadow_buffer_ = gpu::Buffer(device, this->paths() * sizeof(ShadowRay), "shadow rays");
+    segment_buffer_ = gpu::Buffer(device, segments_ * sizeof(SegmentCounts), "segment counters");
+    radiance_buffer_ = gpu::Buffer(device, this->paths() * sizeof(vec4), "path radiances");
+}
+
+std::uint64_t PathPool::device_bytes() const {
+    return path_buffer_.size_bytes() + shadow_buffer_.size_bytes() + segment_buffer_.size_bytes() +
+           radiance_buffer_.size_bytes();
+}
+
+void PathPool::bind(gpu::Bindings& bindings) const {
+    bindings.storage(BIND_PATHS, path_buffer_);
+    bindings.storage(BIND_SHADOW_RAYS, shadow_buffer_);
+    bindings.storage(BIND_SEGMENTS, segment_buffer_);
+    bindings.storage(BIND_RADIANCE, radiance_buffer_);
+}
+
+PoolTotals PathPool::totals() const {
+    PoolTotals totals;
+    for (const SegmentCounts& s : segment_buffer_.read<SegmentCounts>(0, segments_)) {
+        totals.extension_rays += from_words(s.rays_traced);
+        totals.shadow_rays += from_words(s.shadows_traced);
+        totals.shadow_rays_open += from_words(s.shadows_open);
+        totals.exhausted_loops += s.loops_exhausted;
+    }
+    return totals;
+}
+
+std::uint32_t PathPool::interleaving_stride(std::uint32_t segment_count) {
+    if (segment_count < 3) return 1;
+    auto stride = static_cast<std::uint32_t>(0.6180339887 * segment_count) | 1u;
+    while (std::gcd(stride, segment_count) != 1) ++stride;
+    return stride;
+}
+
+} // namespace ajar

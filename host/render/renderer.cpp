@@ -1,0 +1,271 @@
+// Renderer: passes over chunks of the film until the samples are done.
+#include "render/render.hpp"
+
+#include "base/error.hpp"
+#include "gpu/kernel.hpp"
+#include "render/camera.hpp"
+#include "render/choices.hpp"
+#include "render/film.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/integrator.hpp"
+#include "render/pass_runner.hpp"
+#include "render/path_pool.hpp"
+#include "shaders/kernels/accumulate.glsl.h"
+#include "shaders/kernels/aov.glsl.h"
+#include "shaders/kernels/generate.glsl.h"
+#include "shaders/shared/specialization.glsl.h"
+
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace ajar {
+
+using namespace shared;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr std::uint32_t MAX_SAMPLES_PER_PASS = 64; // a segment holds whole pixels: no more than its 64 paths
+
+float filter_radius(const RenderSettings& settings) {
+    if (settings.filter_radius > 0) return settings.filter_radius;
+    return settings.filter == PixelFilter::box ? 0.5f : 1.5f;
+}
+
+void check(const RenderSettings& s) {
+    if (s.samples == 0) throw Error("samples: must be at least 1");
+    if (s.max_bounces > 1000) throw Error(fmt::format("max bounces {}: at most 1000", s.max_bounces));
+    if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
+        throw Error("samples: first sample and count go beyond 2^32");
+    if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
+}
+
+// Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too.
+std::uint32_t samples_per_pass(std::uint32_t pool_paths, std::uint32_t chunk_pixels, std::uint32_t segment_paths) {
+    const std::uint32_t fit = std::max(pool_paths / chunk_pixels, 1u);
+    return std::min({std::bit_floor(fit), MAX_SAMPLES_PER_PASS, segment_paths});
+}
+
+} // namespace
+
+struct Renderer::Impl {
+    const gpu::Device& device;
+    const Scene& scene;
+    GpuSceneOptions scene_options;
+    std::optional<GpuScene> gpu_scene;
+    double prepare_seconds = 0;
+
+    void prepare(const RenderSettings& settings);
+};
+
+// The uploaded scene depends on few settings; it is made again when they change.
+void Renderer::Impl::prepare(const RenderSettings& settings) {
+    GpuSceneOptions wanted;
+    wanted.cull_backfaces = settings.cull_backfaces;
+    wanted.background = glm::vec3(settings.background[0], settings.background[1], settings.background[2]);
+    wanted.bake_below_triangles = settings.bake_below_triangles;
+    prepare_seconds = 0;
+    if (gpu_scene && wanted == scene_options) return;
+    const Clock::time_point start = Clock::now();
+    gpu_scene.reset();
+    scene_options = wanted;
+    gpu_scene.emplace(device, scene, scene_options);
+    prepare_seconds = seconds_since(start);
+}
+
+namespace {
+
+// One render under way.
+class RenderJob {
+  public:
+    RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
+              const RenderSettings& settings)
+        : device_(device), settings_(settings), camera_(choose_camera(scene, settings)),
+          film_(device, settings.width, settings.height, settings.aovs),
+          pool_(device, settings, std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
+          bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
+          frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
+          context_{device, settings, specialization()},
+          generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
+          accumulate_(device, "accumulate", context_.specialization),
+          integrator_(find_integrator(settings.integrator).make(context_)) {
+        if (settings.aovs) aov_.emplace(device, "aov", context_.specialization);
+        add_steps();
+        pool_.bind(bindings_);
+        gpu_scene.bind(bindings_);
+        write_frame();
+        bindings_.uniform(frame_buffer_);
+    }
+
+    RenderOutput run(const ProgressSink& progress);
+
+  private:
+    gpu::Specialization specialization() const;
+    void add_steps();
+    void write_frame();
+    bool run_samples(PassRunner& runner, std::uint32_t done, std::uint32_t count,
+                     const std::function<bool()>& keep_going);
+    void fill_stats(RenderStats& stats) const;
+    std::uint32_t pixel_groups(const SegmentArgs& slice) const {
+        const std::uint32_t pixels = slice.segment_count * pool_.segment_paths() / slice.samples_per_pixel;
+        return (pixels + device_.workgroup_size() - 1) / device_.workgroup_size();
+    }
+
+    const gpu::Device& device_;
+    const RenderSettings& settings_;
+    Camera camera_;
+    Film film_;
+    PathPool pool_;
+    gpu::Bindings bindings_;
+    gpu::Commands commands_;
+    gpu::Buffer diagnostics_;
+    gpu::Buffer frame_buffer_;
+    const GpuScene& gpu_scene_;
+    IntegratorContext context_;
+    gpu::Kernel<GenerateArgs> generate_;
+    gpu::Kernel<AccumulateArgs> accumulate_;
+    std::optional<gpu::Kernel<AovArgs>> aov_;
+    std::unique_ptr<Integrator> integrator_;
+    Steps steps_;
+};
+
+gpu::Specialization RenderJob::specialization() const {
+    std::uint32_t features = gpu_scene_.features();
+    if (camera_.kind == CameraKind::orthographic) features |= FEATURE_ORTHOGRAPHIC;
+    const bool texels = gpu_scene_.texel_buffers() != 0 && !device_.options().force_pointers;
+    return {{SPEC_WORKGROUP_SIZE, device_.workgroup_size()},
+            {SPEC_SEGMENT_SIZE, pool_.segment_paths()},
+            {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u},
+            {SPEC_FEATURES, features},
+            {SPEC_STRATEGY, find_strategy(settings_.strategy)},
+            {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)}};
+}
+
+void RenderJob::add_steps() {
+    steps_.add(generate_, 0);
+    if (aov_)
+        steps_.set_aovs([this](gpu::Commands& commands, const SegmentArgs& slice) {
+            aov_->dispatch(commands, {slice}, pixel_groups(slice));
+        });
+    integrator_->add_steps(steps_);
+    steps_.add([this](gpu::Commands& commands, const SegmentArgs& slice) {
+        accumulate_.dispatch(commands, {slice}, pixel_groups(slice));
+    });
+}
+
+void RenderJob::write_frame() {
+    FrameRecord frame = gpu_scene_.frame();
+    place_camera(camera_, settings_.width, settings_.height, frame);
+    frame.pixel_order.address = film_.pixel_order().address();
+    frame.aovs.address = film_.aovs() ? film_.aovs().address() : 0;
+    frame.diagnostics.address = diagnostics_.address();
+    frame.seed = settings_.seed;
+    frame.max_bounces = settings_.max_bounces;
+    frame.rr_depth = settings_.rr_depth;
+    frame.filter_radius = filter_radius(settings_);
+    frame.ao_distance = settings_.ao_distance > 0 ? settings_.ao_distance : 0.2f * frame.scene_radius;
+    frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
+}
+
+// Takes `count` samples of every pixel, after `done` that were taken before.
+bool RenderJob::run_samples(PassRunner& runner, std::uint32_t done, std::uint32_t count,
+                            const std::function<bool()>& keep_going) {
+    const std::uint32_t pass_pixels = std::max(pool_.paths() / count, 1u);
+    for (std::size_t chunk = 0; chunk < film_.chunks().size(); ++chunk) {
+        const std::uint32_t chunk_first = static_cast<std::uint32_t>(chunk) * film_.chunk_pixels();
+        const std::uint32_t chunk_end = std::min(chunk_first + film_.chunk_pixels(), film_.pixel_count());
+        bindings_.storage(BIND_FILM, film_.chunks()[chunk]);
+        commands_.bind(bindings_);
+        for (std::uint32_t first = chunk_first; first < chunk_end; first += pass_pixels) {
+            SegmentArgs args{};
+            args.path_count = std::min(pass_pixels, chunk_end - first) * count;
+            args.segment_count = (args.path_count + pool_.segment_paths() - 1) / pool_.segment_paths();
+            args.first_ordinal = first;
+            args.chunk_ordinal = chunk_first;
+            args.samples_per_pixel = count;
+            args.first_sample = settings_.first_sample + done;
+            if (!runner.run(args, keep_going)) return false;
+        }
+    }
+    return true;
+}
+
+RenderOutput RenderJob::run(const ProgressSink& progress) {
+    const Clock::time_point start = Clock::now();
+    const std::uint32_t per_pass = samples_per_pass(pool_.paths(), std::min(film_.chunk_pixels(), film_.pixel_count()),
+                                                    pool_.segment_paths());
+    RenderOutput output;
+    RenderStats& stats = output.stats;
+    PassRunner runner(commands_, steps_.list(), settings_.slice_seconds);
+    const auto keep_going = [&] {
+        return !progress || progress({"render", stats.samples, settings_.samples, seconds_since(start)});
+    };
+    while (stats.samples < settings_.samples) {
+        const std::uint32_t count = std::bit_floor(std::min(per_pass, settings_.samples - stats.samples));
+        if (!run_samples(runner, stats.samples, count, keep_going)) {
+            stats.interrupted = true;
+            break;
+        }
+        stats.samples += count;
+        if (settings_.time_limit > 0 && seconds_since(start) >= settings_.time_limit &&
+            stats.samples < settings_.samples) {
+            stats.out_of_time = true;
+            break;
+        }
+    }
+    if (!stats.interrupted) keep_going();
+    stats.render_seconds = seconds_since(start);
+    fill_stats(stats);
+    output.image = film_.resolve();
+    return output;
+}
+
+void RenderJob::fill_stats(RenderStats& stats) const {
+    const Diagnostics diagnostics = diagnostics_.read<Diagnostics>(0, 1).front();
+    const PoolTotals totals = pool_.totals();
+    stats.bvh_seconds = gpu_scene_.bvh_seconds();
+    stats.triangles = gpu_scene_.triangle_count();
+    stats.lights = gpu_scene_.frame().light_count;
+    stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();
+    stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
+    stats.extension_rays = totals.extension_rays;
+    stats.shadow_rays = totals.shadow_rays;
+    stats.shadow_rays_open = totals.shadow_rays_open;
+    stats.exhausted_loops = totals.exhausted_loops;
+    stats.invalid_samples = diagnostics.invalid_count;
+    stats.invalid_pixel = diagnostics.invalid_pixel;
+    stats.invalid_sample = diagnostics.invalid_sample;
+    stats.saturated_samples = diagnostics.saturated_count;
+    stats.profile = commands_.profile();
+}
+
+} // namespace
+
+gpu::Specialization IntegratorContext::with_option(std::uint32_t option) const {
+    gpu::Specialization with = specialization;
+    with.emplace_back(SPEC_OPTION, option);
+    return with;
+}
+
+Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningSink&)
+    : impl_(new Impl{device, scene, {}, {}, 0}) {
+    validate(scene);
+}
+
+Renderer::~Renderer() = default;
+
+RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink& progress) {
+    check(settings);
+    impl_->prepare(settings);
+    RenderOutput output = RenderJob(impl_->device, impl_->scene, *impl_->gpu_scene, settings).run(progress);
+    output.stats.prepare_seconds = impl_->prepare_seconds;
+    return output;
+}
+
+} // namespace ajar

