@@ -1,0 +1,66 @@
+// For tests, never run: mentions every struct that C++ and GLSL share, so that layouts_test.cpp can read from this
+// module where each member lies.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "core/variants.glsl"
+#include "shared/bindings.glsl.h"
+#include "shared/bvh.glsl.h"
+#include "shared/film.glsl.h"
+#include "shared/frame.glsl.h"
+#include "shared/geometry.glsl.h"
+#include "shared/light.glsl.h"
+#include "shared/material.glsl.h"
+#include "shared/path.glsl.h"
+#include "kernels/accumulate.glsl.h"
+#include "kernels/albedo.glsl.h"
+#include "kernels/ao.glsl.h"
+#include "kernels/aov.glsl.h"
+#include "kernels/connect.glsl.h"
+#include "kernels/extend.glsl.h"
+#include "kernels/generate.glsl.h"
+#include "kernels/naive.glsl.h"
+#include "kernels/normals.glsl.h"
+#include "kernels/shade.glsl.h"
+
+#define MENTION(T) layout(set = 0, binding = BIND_PATHS, scalar) buffer Block##T { T at[]; } block_##T;
+MENTION(BvhNode)
+MENTION(TriangleRecord)
+MENTION(FilmPixel)
+MENTION(AovPixel)
+MENTION(Diagnostics)
+MENTION(TableWord)
+MENTION(Texel)
+MENTION(PixelIndex)
+MENTION(FrameRecord)
+MENTION(SurfaceRecord)
+MENTION(SurfaceExtension)
+MENTION(InstanceRecord)
+MENTION(LightRecord)
+MENTION(AliasEntry)
+MENTION(MaterialRecord)
+MENTION(TextureRecord)
+MENTION(PathState)
+MENTION(ShadowRay)
+MENTION(SegmentCounts)
+MENTION(SegmentArgs)
+MENTION(AccumulateArgs)
+MENTION(AlbedoArgs)
+MENTION(AoArgs)
+MENTION(AovArgs)
+MENTION(ConnectArgs)
+MENTION(ExtendArgs)
+MENTION(GenerateArgs)
+MENTION(NaiveArgs)
+MENTION(NormalsArgs)
+MENTION(ShadeArgs)
+
+#define USE(T) +block_##T.at.length()
+
+void main() {
+    const int total = 0 USE(BvhNode) USE(TriangleRecord) USE(FilmPixel) USE(AovPixel) USE(Diagnostics) USE(TableWord)
+        USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension) USE(InstanceRecord)
+        USE(LightRecord) USE(AliasEntry) USE(MaterialRecord) USE(TextureRecord) USE(PathState) USE(ShadowRay)
+        USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs) USE(AlbedoArgs) USE(AoArgs) USE(AovArgs)
+        USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs) USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
+    block_Texel.at[0].rgba8 = uint(total);
+}
