@@ -1,0 +1,137 @@
+// The same bits whatever decides only how fast an image comes: pool, segments, workgroups, slices, tables, threads,
+// and whether its samples are rendered in one run or in several.
+#include "render_test.hpp"
+#include "small_scenes.hpp"
+
+#include <bit>
+#include <stdlib.h>
+
+namespace ajar::test {
+namespace {
+
+RenderSettings odd_settings() {
+    RenderSettings settings;
+    settings.width = 37; // fills neither segments nor workgroups evenly
+    settings.height = 23;
+    settings.samples = 12;
+    settings.max_bounces = 4;
+    settings.rr_depth = 2;
+    settings.seed = 7;
+    settings.aovs = true;
+    return settings;
+}
+
+void expect_same_bits(const Image& a, const Image& b) {
+    ASSERT_EQ(a.layers.size(), b.layers.size());
+    for (std::size_t i = 0; i < a.layers.size(); ++i) {
+        const Layer& of_a = a.layers[i];
+        const Layer& of_b = b.layers[i];
+        ASSERT_EQ(of_a.name, of_b.name);
+        ASSERT_EQ(of_a.pixels.size(), of_b.pixels.size());
+        std::size_t different = 0;
+        for (std::size_t k = 0; k < of_a.pixels.size(); ++k)
+            if (std::bit_cast<std::uint32_t>(of_a.pixels[k]) != std::bit_cast<std::uint32_t>(of_b.pixels[k]))
+                ++different;
+        EXPECT_EQ(different, 0u) << "values of layer '" << of_a.name << "', of " << of_a.pixels.size();
+    }
+}
+
+class Determinism : public RenderTest, public testing::WithParamInterface<SmallScene> {
+  protected:
+    // The image of a device made with those options.
+    static Image render_on(const gpu::DeviceOptions& options, const Scene& scene) {
+        const gpu::Device other(options);
+        return render_checked(other, scene, odd_settings()).image;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(small_scenes()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
+    const Scene scene = GetParam().build();
+    const Image reference = render(scene, odd_settings());
+    for (const std::uint32_t segment : {64u, 256u, 1024u})
+        for (const std::uint32_t pool : {1u, 3000u, 1u << 16}) {
+            RenderSettings settings = odd_settings();
+            settings.segment_paths = segment;
+            settings.pool_paths = pool;
+            SCOPED_TRACE(testing::Message() << "segments of " << segment << ", pool of " << pool);
+            expect_same_bits(reference, render(scene, settings));
+        }
+    RenderSettings settings = odd_settings();
+    settings.slice_seconds = 1e-6; // as short as slices get
+    settings.pool_paths = 3000;
+    expect_same_bits(reference, render(scene, settings));
+    settings.slice_seconds = 100;
+    expect_same_bits(reference, render(scene, settings));
+}
+
+TEST_P(Determinism, WhateverTheTablesAndTheWorkgroups) {
+    const Scene scene = GetParam().build();
+    const Image reference = render(scene, odd_settings());
+    gpu::DeviceOptions options;
+    options.force_pointers = true;
+    expect_same_bits(reference, render_on(options, scene));
+    options.force_pointers = false;
+    for (const std::uint32_t size : {8u, 32u, 64u}) {
+        options.workgroup_size = size;
+        SCOPED_TRACE(testing::Message() << "workgroups of " << size);
+        expect_same_bits(reference, render_on(options, scene));
+    }
+}
+
+TEST_P(Determinism, OneRendererRepeatsItself) {
+    const Scene scene = GetParam().build();
+    Renderer renderer(device(), scene, {});
+    const Image first = renderer.render(odd_settings()).image;
+    RenderSettings other = odd_settings();
+    other.width = 64;
+    other.integrator = "ao";
+    renderer.render(other);
+    expect_same_bits(first, renderer.render(odd_settings()).image);
+}
+
+TEST_P(Determinism, PartsOfTheSamplesSumToTheWhole) {
+    const Scene scene = GetParam().build();
+    const Image whole = render(scene, odd_settings());
+    RenderSettings part = odd_settings();
+    part.samples = 4;
+    std::vector<Image> parts;
+    for (part.first_sample = 0; part.first_sample < 12; part.first_sample += 4)
+        parts.push_back(render(scene, part));
+    for (std::uint32_t y = 0; y < whole.height; ++y)
+        for (std::uint32_t x = 0; x < whole.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const double right = pixel(whole, "", x, y)[c];
+                double mean = 0;
+                for (const Image& image : parts) mean += pixel(image, "", x, y)[c] / 3;
+                // Film sums are exact; each part's mean was rounded to a float once.
+                EXPECT_NEAR(mean, right, 0x1p-23 * right) << x << ", " << y;
+            }
+}
+
+TEST_F(RenderTest, ThreadsOfTheCpuDriverDoNotChangeTheImage) {
+    if (!device().limits().is_cpu) GTEST_SKIP() << "threads are a CPU driver's";
+    const Scene scene = small_scenes()[1].build();
+    std::vector<Image> images;
+    for (const char* threads : {"1", "2", "3"}) {
+        ::setenv("LP_NUM_THREADS", threads, 1);
+        const gpu::Device other{gpu::DeviceOptions()};
+        images.push_back(render_checked(other, scene, odd_settings()).image);
+    }
+    ::unsetenv("LP_NUM_THREADS");
+    expect_same_bits(images[0], images[1]);
+    expect_same_bits(images[0], images[2]);
+}
+
+TEST_F(RenderTest, AnotherSeedIsAnotherImage) {
+    const Scene scene = small_scenes()[0].build();
+    RenderSettings settings = odd_settings();
+    const Image a = render(scene, settings);
+    settings.seed = 8;
+    const Image b = render(scene, settings);
+    EXPECT_NE(beauty(a, "a").pixels, beauty(b, "b").pixels);
+}
+
+} // namespace
+} // namespace ajar::test

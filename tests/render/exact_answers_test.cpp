@@ -1,0 +1,284 @@
+// Whole renders whose every pixel has a closed form: light by lights of all kinds on planes and spheres.
+#include "render_test.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+namespace ajar::test {
+namespace {
+
+constexpr double PI = glm::pi<double>();
+const glm::vec3 ALBEDO(0.8f, 0.5f, 0.2f);
+
+class ExactAnswers : public RenderTest {};
+
+class ExactAnswersByStrategy : public RenderTest, public testing::WithParamInterface<const char*> {
+  protected:
+    static RenderSettings settings() {
+        RenderSettings settings = small_settings();
+        settings.strategy = GetParam();
+        return settings;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Strategies, ExactAnswersByStrategy, testing::Values("bsdf", "light", "mis"),
+                         [](const auto& row) { return std::string(row.param); });
+
+// A large floor at y = 0, seen at a slant.
+std::uint32_t add_floor(SceneBuilder& builder) {
+    const std::uint32_t material = builder.material(lambert(ALBEDO));
+    builder.square({0, 0, 0}, {0, 1, 0}, 50, material);
+    builder.perspective({0, 1.2f, 3}, {0, 0, 0}, 0.7f);
+    return material;
+}
+
+// Radiance of a Lambertian floor at y = 0 under an irradiance that depends on the place.
+template <class Irradiance> RayRadiance floor_under(Irradiance irradiance) {
+    return [=](const ViewRay& ray) -> std::optional<glm::dvec3> {
+        if (ray.direction.y > -0.05) return std::nullopt; // near or above the horizon
+        return glm::dvec3(ALBEDO) / PI * irradiance(meet_plane(ray, {0, 0, 0}, {0, 1, 0}));
+    };
+}
+
+// Only where the ray meets the plane at that height within 2.5 m of the y axis.
+RayRadiance near_axis(double height, RayRadiance radiance) {
+    return [height, radiance = std::move(radiance)](const ViewRay& ray) -> std::optional<glm::dvec3> {
+        const glm::dvec3 p = meet_plane(ray, {0, height, 0}, {0, 1, 0});
+        const bool ahead = glm::dot(p - ray.origin, ray.direction) > 0;
+        return ahead && p.x * p.x + p.z * p.z < 6.25 ? radiance(ray) : std::nullopt;
+    };
+}
+
+// Irradiance from a polygon of unit radiance, wholly above the horizon of `normal` (Lambert 1760): half the sum over
+// the edges of the angle each subtends times the cosine between `normal` and the normal of edge and eye.
+double polygon_irradiance(const std::vector<glm::dvec3>& corners, const glm::dvec3& at,
+                          const glm::dvec3& normal) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 a = glm::normalize(corners[i] - at);
+        const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - at);
+        sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
+    }
+    return 0.5 * std::abs(sum);
+}
+
+TEST_P(ExactAnswersByStrategy, AConvexLambertianBodyInAFurnaceReturnsItsAlbedo) {
+    SceneBuilder builder;
+    builder.sphere({0, 0, 0}, 1, 3, Normals::flat, builder.material(lambert(ALBEDO)));
+    builder.constant_environment({1, 0.5f, 2});
+    builder.orthographic({0, 0, 5}, {0, 0, 0}, 1.1f);
+    const Scene scene = builder.build();
+    for (const std::uint32_t bounces : {0u, 4u}) {
+        RenderSettings settings = ExactAnswersByStrategy::settings();
+        settings.max_bounces = bounces; // light that left a convex body is gone
+        expect_radiance(render(scene, settings), scene.cameras[0], settings,
+                        [](const ViewRay& ray) -> std::optional<glm::dvec3> {
+                            if (!meet_sphere(ray, {0, 0, 0}, 0.98))
+                                return std::nullopt; // its facets' own outline
+                            return glm::dvec3(ALBEDO) * glm::dvec3(1, 0.5, 2);
+                        });
+    }
+}
+
+TEST_F(ExactAnswers, BsdfSamplingOfALambertianBodyInAFurnaceHasNoVariance) {
+    // f cos / pdf is the albedo whatever the direction, so a single sample is right. A ray that wrongly met the body
+    // again would show.
+    SceneBuilder builder;
+    builder.sphere({0, 0, 0}, 1, 3, Normals::flat, builder.material(lambert(ALBEDO)));
+    builder.constant_environment({1, 1, 1});
+    builder.orthographic({0, 0, 5}, {0, 0, 0}, 0.6f); // the body fills the picture
+    RenderSettings settings = small_settings();
+    settings.width = settings.height = 128;
+    settings.strategy = "bsdf";
+    const Image image = render(builder.build(), settings);
+    for (std::uint32_t y = 0; y < image.height; ++y)
+        for (std::uint32_t x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(pixel(image, "", x, y)[c], ALBEDO[c], 1e-6) << x << ", " << y;
+}
+
+TEST_F(ExactAnswers, APointLightOverAPlaneFallsWithTheSquareOfTheDistance) {
+    SceneBuilder builder;
+    add_floor(builder);
+    builder.point_light({0.3f, 0.8f, 0.2f}, {2, 3, 4});
+    const Scene scene = builder.build();
+    const RenderSettings settings = small_settings();
+    expect_radiance(render(scene, settings), scene.cameras[0], settings, floor_under([](const glm::dvec3& p) {
+                        const glm::dvec3 to_light = glm::dvec3(0.3, 0.8, 0.2) - p;
+                        const double distance = glm::length(to_light);
+                        return glm::dvec3(2, 3, 4) * (to_light.y / distance / (distance * distance));
+                    }),
+                    1e-4); // the pixel's mean by 6 x 6 points
+}
+
+TEST_F(ExactAnswers, ASpotLightFadesBetweenItsCones) {
+    SceneBuilder builder;
+    add_floor(builder);
+    builder.spot_light({0, 1, 0}, {0, -1, 0}, {5, 5, 5}, 0.2f, 0.7f);
+    const Scene scene = builder.build();
+    RenderSettings settings = small_settings();
+    settings.samples = 256;
+    const double scale = 1 / (std::cos(0.2) - std::cos(0.7)); // KHR_lights_punctual
+    expect_radiance(render(scene, settings), scene.cameras[0], settings,
+                    floor_under([=](const glm::dvec3& p) {
+                        const glm::dvec3 to_light = glm::dvec3(0, 1, 0) - p;
+                        const double distance = glm::length(to_light);
+                        const double cosine = to_light.y / distance; // to the axis and to the floor's normal
+                        const double fade = glm::clamp((cosine - std::cos(0.7)) * scale, 0.0, 1.0);
+                        return glm::dvec3(5) * (fade * fade * cosine / (distance * distance));
+                    }),
+                    5e-3); // the 6 x 6 points see the cones' kinks coarsely
+}
+
+TEST_F(ExactAnswers, ADirectionalLightShadesASphereByItsCosine) {
+    SceneBuilder builder;
+    builder.sphere({0, 0, 0}, 1, 5, Normals::smooth, builder.material(lambert(ALBEDO)));
+    builder.directional_light({-0.5f, -0.3f, -1}, {PI, PI, PI});
+    builder.orthographic({0, 0, 5}, {0, 0, 0}, 1.1f);
+    const Scene scene = builder.build();
+    const RenderSettings settings = small_settings();
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(0.5, 0.3, 1));
+    expect_radiance(
+        render(scene, settings), scene.cameras[0], settings,
+        [=](const ViewRay& ray) -> std::optional<glm::dvec3> {
+            const auto p = meet_sphere(ray, {0, 0, 0}, 1);
+            if (!p) return std::nullopt;
+            const double cosine = glm::dot(*p, to_light);
+            if (std::abs(cosine) < 0.05) return std::nullopt; // facets turn away one by one
+            return glm::dvec3(ALBEDO) * std::max(cosine, 0.0);
+        },
+        4e-3); // facets of 2 degrees lie up to 1.5e-4 inside: most at the outline
+}
+
+TEST_F(ExactAnswers, APointLightShadesASphereInClosedForm) {
+    SceneBuilder builder;
+    builder.sphere({0, 0, 0}, 1, 5, Normals::smooth, builder.material(lambert(ALBEDO)));
+    builder.point_light({1, 2, 2}, {20, 20, 20});
+    builder.perspective({0, 0, 5}, {0, 0, 0}, 0.4f);
+    const Scene scene = builder.build();
+    const RenderSettings settings = small_settings();
+    expect_radiance(
+        render(scene, settings), scene.cameras[0], settings,
+        [=](const ViewRay& ray) -> std::optional<glm::dvec3> {
+            const auto p = meet_sphere(ray, {0, 0, 0}, 1);
+            if (!p) return std::nullopt;
+            const glm::dvec3 to_light = glm::dvec3(1, 2, 2) - *p;
+            const double distance = glm::length(to_light);
+            const double cosine = glm::dot(*p, to_light) / distance;
+            if (std::abs(cosine) < 0.05) return std::nullopt;
+            return glm::dvec3(ALBEDO) / PI * (20 * std::max(cosine, 0.0) / (distance * distance));
+        },
+        4e-3);
+}
+
+TEST_P(ExactAnswersByStrategy, ASquareLightOverAPlaneFollowsLambertsFormula) {
+    SceneBuilder builder;
+    add_floor(builder);
+    builder.square({0, 1.5f, 0}, {0, -1, 0}, 1, builder.material(emitter({4, 2, 1})));
+    const Scene scene = builder.build();
+    RenderSettings settings = ExactAnswersByStrategy::settings();
+    settings.samples = 256;
+    const std::vector<glm::dvec3> corners = {{-1, 1.5, -1}, {1, 1.5, -1}, {1, 1.5, 1}, {-1, 1.5, 1}};
+    const auto under = floor_under([=](const glm::dvec3& p) {
+        return glm::dvec3(4, 2, 1) * polygon_irradiance(corners, p, {0, 1, 0});
+    });
+    expect_radiance(render(scene, settings), scene.cameras[0], settings, near_axis(0, under), 1e-4);
+}
+
+TEST_P(ExactAnswersByStrategy, AnEmitterShinesFromItsFrontOnlyUnlessDoubleSided) {
+    // The ceiling above it sees the light's back.
+    const std::vector<glm::dvec3> corners = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
+    for (const bool double_sided : {false, true}) {
+        SceneBuilder builder;
+        Material light = emitter({4, 4, 4});
+        light.double_sided = double_sided;
+        builder.square({0, 1, 0}, {0, -1, 0}, 1, builder.material(light));
+        builder.square({0, 2, 0}, {0, -1, 0}, 50, builder.material(lambert(ALBEDO)));
+        builder.perspective({0, 1.2f, 4}, {0, 2, 0}, 0.5f);
+        const Scene scene = builder.build();
+        RenderSettings settings = ExactAnswersByStrategy::settings();
+        settings.samples = 256;
+        const auto above = [=](const ViewRay& ray) -> std::optional<glm::dvec3> {
+            const glm::dvec3 p = meet_plane(ray, {0, 2, 0}, {0, 1, 0});
+            const double e = double_sided ? 4 * polygon_irradiance(corners, p, {0, -1, 0}) : 0;
+            return glm::dvec3(ALBEDO) / PI * e;
+        };
+        expect_radiance(render(scene, settings), scene.cameras[0], settings, near_axis(2, above), 1e-4);
+    }
+}
+
+TEST_F(ExactAnswers, TheBackOfASingleSidedEmitterIsBlack) {
+    for (const bool double_sided : {false, true}) {
+        SceneBuilder builder;
+        Material light = emitter({1, 2, 4});
+        light.double_sided = double_sided;
+        builder.square({0, 0, 0}, {0, 0, -1}, 5, builder.material(light));
+        builder.orthographic({0, 0, 3}, {0, 0, 0}, 1);
+        const Scene scene = builder.build();
+        const RenderSettings settings = small_settings();
+        const glm::dvec3 seen = double_sided ? glm::dvec3(1, 2, 4) : glm::dvec3(0);
+        expect_radiance(
+            render(scene, settings), scene.cameras[0], settings,
+            [=](const ViewRay&) { return std::optional(seen); }, 0);
+    }
+}
+
+TEST_F(ExactAnswers, DirectLightAloneLeavesReflectionsOut) {
+    // White walls around the floor would double its light; at zero indirect bounces they must not.
+    SceneBuilder builder;
+    add_floor(builder);
+    builder.square({-2, 0, 0}, {1, 0, 0}, 6, builder.material(lambert({1, 1, 1})));
+    builder.square({0, 0, -2}, {0, 0, 1}, 6, builder.material(lambert({1, 1, 1})));
+    builder.point_light({0, 1, 0}, {1, 1, 1});
+    builder.perspective({1, 2.5f, 1}, {0, 0, 0}, 0.5f);
+    Scene scene = builder.build();
+    scene.camera = 1;
+    RenderSettings settings = small_settings();
+    const auto direct = floor_under([](const glm::dvec3& p) {
+        const glm::dvec3 to_light = glm::dvec3(0, 1, 0) - p;
+        const double distance = glm::length(to_light);
+        return glm::dvec3(1) * (1 / (distance * distance * distance));
+    });
+    expect_radiance(render(scene, settings), scene.cameras[1], settings, direct, 1e-4);
+    settings.max_bounces = 2;
+    const Image with_bounces = render(scene, settings);
+    const auto alone = pixel_mean(scene.cameras[1], settings, 16, 16, direct);
+    EXPECT_GT(pixel(with_bounces, "", 16, 16).x, 1.1 * alone->x);
+}
+
+TEST_P(ExactAnswersByStrategy, AFurnaceRoomSumsItsAlbedosPowers) {
+    // Every wall emits e and reflects a: after n indirect bounces, e times the sum of a^k for k = 0 .. n + 1.
+    SceneBuilder builder;
+    const glm::dvec3 a(0.25, 0.5, 0.8);
+    const glm::dvec3 e(1, 0.5, 2);
+    builder.room({-1, -1, -1}, {1, 1, 1}, builder.material(glowing_lambert(a, e)));
+    builder.perspective({0.2f, 0.1f, 0.7f}, {-0.3f, -0.2f, -1}, 1);
+    const Scene scene = builder.build();
+    for (const std::uint32_t bounces : {0u, 1u, 4u, 12u}) {
+        RenderSettings settings = ExactAnswersByStrategy::settings();
+        settings.max_bounces = bounces;
+        settings.samples = 128;
+        glm::dvec3 sum(0);
+        for (std::uint32_t k = 0; k <= bounces + 1; ++k) sum += glm::pow(a, glm::dvec3(k));
+        expect_radiance(render(scene, settings), scene.cameras[0], settings,
+                        [=](const ViewRay&) { return std::optional(e * sum); });
+    }
+}
+
+TEST_F(ExactAnswers, AFurnaceRoomWithoutRouletteHasNoVariance) {
+    // Every path is worth the same, unless one of them slips through an edge of the closed room.
+    SceneBuilder builder;
+    builder.room({-1, -1, -1}, {1, 1, 1}, builder.material(glowing_lambert({0.5f, 0.5f, 0.5f}, {1, 1, 1})));
+    builder.perspective({0.2f, 0.1f, 0.7f}, {-0.3f, -0.2f, -1}, 1);
+    RenderSettings settings = small_settings();
+    settings.strategy = "bsdf";
+    settings.max_bounces = 6;
+    settings.rr_depth = 100;
+    settings.width = settings.height = 64;
+    const Image image = render(builder.build(), settings);
+    const double right = 2 - std::pow(0.5, 7);
+    for (std::uint32_t y = 0; y < image.height; ++y)
+        for (std::uint32_t x = 0; x < image.width; ++x)
+            ASSERT_NEAR(pixel(image, "", x, y).x, right, 4e-6) << x << ", " << y;
+}
+
+} // namespace
+} // namespace ajar::test

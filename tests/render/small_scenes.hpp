@@ -1,0 +1,18 @@
+// A few small scenes, one for every kind of light and surface, that tests loop over.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <span>
+
+namespace ajar::test {
+
+struct SmallScene {
+    const char* name;
+    Scene (*build)();
+    bool light_alone; // sampling lights alone sees all of it (no mirrors)
+};
+
+std::span<const SmallScene> small_scenes();
+
+} // namespace ajar::test
