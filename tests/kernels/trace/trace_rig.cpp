@@ -1,0 +1,147 @@
+#include "trace_rig.hpp"
+
+#include <algorithm>
+
+namespace ajar::test {
+namespace {
+
+using namespace shared;
+
+gpu::Specialization specialization(const gpu::Device& device, const TraceScene& scene, const RigOptions& options,
+                                   std::uint32_t option) {
+    const std::uint32_t workgroup = options.workgroup_size != 0 ? options.workgroup_size : device.workgroup_size();
+    const std::uint32_t features = options.features | (scene.placements.empty() ? 0 : FEATURE_INSTANCES);
+    return {{SPEC_WORKGROUP_SIZE, workgroup},
+            {SPEC_SEGMENT_SIZE, options.segment_size},
+            {SPEC_TEXEL_BUFFERS, options.texel_buffers ? 1 : 0},
+            {SPEC_FEATURES, features},
+            {SPEC_OPTION, option}};
+}
+
+template <class T> gpu::Buffer upload(const gpu::Device& device, const std::vector<T>& values, std::string_view label) {
+    gpu::Buffer buffer(device, std::max<std::size_t>(values.size() * sizeof(T), 16), label);
+    buffer.write(std::span<const T>(values));
+    return buffer;
+}
+
+} // namespace
+
+InstanceRecord instance_record(const bvh::Placement& placement, std::uint32_t root) {
+    glm::dmat4 m(1);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) m[column][row] = placement.to_world[row][column];
+    }
+    const glm::dmat4 inverse = glm::inverse(m);
+    InstanceRecord record{};
+    for (int row = 0; row < 3; ++row) {
+        record.to_world[row] = placement.to_world[row];
+        for (int column = 0; column < 4; ++column) record.to_object[row][column] = float(inverse[column][row]);
+    }
+    record.root = root;
+    record.flags = glm::determinant(glm::dmat3(m)) < 0 ? INSTANCE_FLIPPED : 0;
+    return record;
+}
+
+TraceRig::TraceRig(const gpu::Device& device, const TraceScene& scene, const RigOptions& options)
+    : device_(device), options_(options), bindings_(device),
+      extend_(device, "extend", specialization(device, scene, options, options.extend_option)),
+      connect_(device, "connect", specialization(device, scene, options, options.connect_option)) {
+    fill_tables(scene);
+    nodes_buffer_ = upload(device, bvh_.nodes, "nodes");
+    triangles_buffer_ = upload(device, triangles_, "triangles");
+    instances_buffer_ = upload(device, instances_, "instances");
+    FrameRecord frame{};
+    frame.nodes.address = nodes_buffer_.address();
+    frame.triangles.address = triangles_buffer_.address();
+    frame.instances.address = instances_buffer_.address();
+    frame.root = bvh_.root;
+    frame_ = gpu::Buffer(device, sizeof(frame), "frame");
+    frame_.write(std::as_bytes(std::span(&frame, 1)));
+    bindings_.uniform(frame_);
+    if (!options.texel_buffers) return;
+    bindings_.table(BIND_NODES, nodes_buffer_);
+    bindings_.table(BIND_TRIANGLES, triangles_buffer_);
+    bindings_.table(BIND_INSTANCES, instances_buffer_);
+}
+
+void TraceRig::fill_tables(const TraceScene& scene) {
+    const std::vector<std::span<const bvh::Triangle>> meshes(scene.meshes.begin(), scene.meshes.end());
+    bvh_ = bvh::build_scene_bvh(meshes, scene.placements);
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const bvh::MeshRange& range = bvh_.meshes[m];
+        for (std::uint32_t k = 0; k < range.triangle_count; ++k) {
+            const bvh::Triangle& triangle = scene.meshes[m][bvh_.order[range.first_triangle + k]];
+            triangles_.push_back({triangle.vertices[0], 0, triangle.vertices[1], 0, triangle.vertices[2], 0});
+        }
+    }
+    const glm::vec4 x(1, 0, 0, 0), y(0, 1, 0, 0), z(0, 0, 1, 0);
+    instances_.push_back(instance_record({0, {x, y, z}}, bvh_.meshes[0].root));
+    for (const std::uint32_t p : bvh_.placement_order)
+        instances_.push_back(instance_record(scene.placements[p], bvh_.meshes[scene.placements[p].mesh].root));
+}
+
+SegmentArgs TraceRig::begin(std::size_t rays, bool shadows) {
+    const std::uint32_t size = options_.segment_size;
+    const auto segments = std::uint32_t((rays + size - 1) / size);
+    const std::uint64_t slots = std::uint64_t(segments) * size;
+    if (paths_.size_bytes() < slots * sizeof(PathState)) {
+        paths_ = gpu::Buffer(device_, slots * sizeof(PathState), "paths");
+        shadow_rays_ = gpu::Buffer(device_, slots * sizeof(ShadowRay), "shadow rays");
+        segments_ = gpu::Buffer(device_, segments * sizeof(SegmentCounts), "segments");
+        radiance_ = gpu::Buffer(device_, slots * sizeof(glm::vec4), "radiance");
+        bindings_.storage(BIND_PATHS, paths_);
+        bindings_.storage(BIND_SHADOW_RAYS, shadow_rays_);
+        bindings_.storage(BIND_SEGMENTS, segments_);
+        bindings_.storage(BIND_RADIANCE, radiance_);
+    }
+    std::vector<SegmentCounts> counts(segments);
+    for (std::uint32_t s = 0; s < segments; ++s) {
+        const auto in_segment = std::uint32_t(std::min<std::size_t>(size, rays - std::size_t(s) * size));
+        counts[s].paths = shadows ? 0 : in_segment;
+        counts[s].shadows = shadows ? in_segment : 0;
+    }
+    segments_.write(std::span<const SegmentCounts>(counts));
+    SegmentArgs args{};
+    args.segment_count = segments;
+    args.segment_stride = 1;
+    args.path_count = std::uint32_t(rays);
+    return args;
+}
+
+RigResult TraceRig::extend(std::span<const PathState> paths) {
+    RigResult result;
+    if (paths.empty()) return result;
+    const SegmentArgs args = begin(paths.size(), false);
+    paths_.write(paths);
+    gpu::Commands commands(device_);
+    commands.bind(bindings_);
+    extend_.dispatch(commands, {args}, args.segment_count);
+    result.seconds = commands.submit();
+    result.paths = paths_.read<PathState>(0, paths.size());
+    for (const SegmentCounts& counts : segments_.read<SegmentCounts>(0, args.segment_count))
+        result.exhausted += counts.loops_exhausted;
+    return result;
+}
+
+RigResult TraceRig::connect(std::span<const ShadowRay> rays) {
+    RigResult result;
+    if (rays.empty()) return result;
+    const SegmentArgs args = begin(rays.size(), true);
+    std::vector<ShadowRay> own(rays.begin(), rays.end());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        own[i].home = std::uint32_t(i);
+        own[i].contribution = glm::vec3(1, 2, 3);
+    }
+    shadow_rays_.write(std::span<const ShadowRay>(own));
+    radiance_.clear();
+    gpu::Commands commands(device_);
+    commands.bind(bindings_);
+    connect_.dispatch(commands, {args}, args.segment_count);
+    result.seconds = commands.submit();
+    for (const glm::vec4& sum : radiance_.read<glm::vec4>(0, own.size())) result.open.push_back(sum.z == 3);
+    for (const SegmentCounts& counts : segments_.read<SegmentCounts>(0, args.segment_count))
+        result.exhausted += counts.loops_exhausted;
+    return result;
+}
+
+} // namespace ajar::test

@@ -1,0 +1,71 @@
+// Runs the production kernels extend and connect on rays of the caller's choice, over a scene of plain triangles.
+#pragma once
+
+#include "bvh/bvh.hpp"
+#include "gpu/kernel.hpp"
+#include "shaders/kernels/connect.glsl.h"
+#include "shaders/kernels/extend.glsl.h"
+#include "shaders/shared/bindings.glsl.h"
+#include "shaders/shared/frame.glsl.h"
+#include "shaders/shared/geometry.glsl.h"
+#include "shaders/shared/path.glsl.h"
+#include "shaders/shared/specialization.glsl.h"
+
+namespace ajar::test {
+
+// Meshes and their placements; mesh 0 is the world.
+struct TraceScene {
+    std::vector<std::vector<bvh::Triangle>> meshes;
+    std::vector<bvh::Placement> placements;
+};
+
+struct RigOptions {
+    std::uint32_t segment_size = 256;
+    std::uint32_t workgroup_size = 0; // 0: the device's
+    bool texel_buffers = true;
+    std::uint32_t extend_option = 0;
+    std::uint32_t connect_option = 0;
+    std::uint32_t features = 0; // besides FEATURE_INSTANCES, which follows from the scene
+};
+
+struct RigResult {
+    std::vector<shared::PathState> paths;
+    std::vector<bool> open;
+    std::uint64_t exhausted = 0;
+    double seconds = 0; // on the device
+};
+
+class TraceRig {
+  public:
+    TraceRig(const gpu::Device& device, const TraceScene& scene, const RigOptions& options);
+
+    // Traces paths[i] from its origin along its direction.
+    RigResult extend(std::span<const shared::PathState> paths);
+    // Traces shadow rays; `home` and `contribution` are overwritten.
+    RigResult connect(std::span<const shared::ShadowRay> rays);
+
+    const bvh::SceneBvh& bvh() const { return bvh_; }
+    // In leaf order.
+    const std::vector<shared::TriangleRecord>& triangles() const { return triangles_; }
+    const std::vector<shared::InstanceRecord>& instances() const { return instances_; }
+
+  private:
+    void fill_tables(const TraceScene& scene);
+    shared::SegmentArgs begin(std::size_t rays, bool shadows);
+
+    const gpu::Device& device_;
+    RigOptions options_;
+    bvh::SceneBvh bvh_;
+    std::vector<shared::TriangleRecord> triangles_;
+    std::vector<shared::InstanceRecord> instances_;
+    gpu::Buffer nodes_buffer_, triangles_buffer_, instances_buffer_, frame_;
+    gpu::Buffer paths_, shadow_rays_, segments_, radiance_;
+    gpu::Bindings bindings_;
+    gpu::Kernel<shared::ExtendArgs> extend_;
+    gpu::Kernel<shared::ConnectArgs> connect_;
+};
+
+// A placement as the kernels know it.
+shared::InstanceRecord instance_record(const bvh::Placement& placement, std::uint32_t root);
+
+} // namespace ajar::test
