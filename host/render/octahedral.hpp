@@ -6,7 +6,7 @@
 
 namespace ajar {
 
-// 2 x snorm16, x in the low half; a zero vector gives the code of +Z. Angular error below 5e-5 radians.
+// 2 x snorm16, x in the low half; a zero vector gives the code of +Z. Angular error below 6.5e-5 radians.
 std::uint32_t octahedral_encode(const glm::vec3& n);
 
 } // namespace ajar

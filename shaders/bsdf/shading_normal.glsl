@@ -26,7 +26,8 @@ vec3 shading_normal_adapt(vec3 n, vec3 ng, vec3 wo) {
     const float r = sqrt(max(wo_x * wo_x + wo_z * wo_z, 1e-20));
     const float cos_arc = height / r;
     const float cos_2theta = (wo_z * cos_arc - wo_x * math_safe_sqrt(1.0 - cos_arc * cos_arc)) / r;
-    const vec3 bent = ng * math_safe_sqrt(0.5 + 0.5 * cos_2theta) + x_axis * math_safe_sqrt(0.5 - 0.5 * cos_2theta);
+    const float cos_theta = math_safe_sqrt(0.5 + 0.5 * cos_2theta);
+    const vec3 bent = ng * cos_theta + x_axis * math_safe_sqrt(0.5 - 0.5 * cos_2theta);
     return good || n_x < 1e-6 ? (n_z > 0.0 ? n : ng) : bent;
 }
 

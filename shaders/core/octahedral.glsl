@@ -1,8 +1,8 @@
 // Unit vectors in 32 bits: the octahedron's map, 2 x snorm16 (Cigolle et al. 2014, "A Survey of Efficient
 // Representations for Independent Unit Vectors"). host/render/octahedral.hpp encodes:
 // p = n / (|n.x| + |n.y| + |n.z|); where n.z < 0: p.xy = (1 - |p.yx|) * (p.xy < 0 ? -1 : 1);
-// each rounded to round(p * 32767), x in the low half word, y in the high one. Angular error below 5e-5
-// radians.
+// each rounded to round(p * 32767), x in the low half word, y in the high one. Angular error below
+// 6.5e-5 radians.
 #ifndef AJAR_OCTAHEDRAL_GLSL
 #define AJAR_OCTAHEDRAL_GLSL
 #extension GL_GOOGLE_include_directive : require

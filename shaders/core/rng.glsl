@@ -14,7 +14,9 @@ uint rng_hash(uint x) {
 }
 
 // A hash of the ordered pair; fold longer keys from the left.
-uint rng_combine(uint seed, uint value) { return rng_hash(seed * 0x9e3779b9u ^ rng_hash(value + 0x85ebca6bu)); }
+uint rng_combine(uint seed, uint value) {
+    return rng_hash(seed * 0x9e3779b9u ^ rng_hash(value + 0x85ebca6bu));
+}
 
 // [0, 1) in steps of 2^-24: 1 - 2^-24 at most. By way of int, since lanes convert signed numbers in one
 // instruction.
@@ -22,7 +24,7 @@ float rng_to_float(uint bits) { return float(int(bits >> 8)) * 5.960464477539062
 
 float rng_hash_to_float(uint key) { return rng_to_float(rng_hash(key)); }
 
-// The coin of stochastic alpha: the same ray and triangle always see the same number.
+// The coin of stochastic alpha: the same ray and triangle always see the same number. `salt`: a hash's bits.
 float rng_salted_float(uint salt, uint triangle, uint instance) {
     return rng_to_float(rng_hash(rng_hash(triangle ^ salt) + instance * 0x9e3779b9u));
 }

@@ -59,7 +59,8 @@ vec3 material_normal(uint texture_index, float scale, vec2 uv0, vec2 uv1) {
 MaterialPoint material_point(uint material, vec2 uv0, vec2 uv1, vec4 vertex_color) {
     const uint record = material * MATERIAL_TEXELS;
     const uvec4 emission_flags = fetch_material(record + 1);
-    const vec4 factors = uintBitsToFloat(fetch_material(record + 2)); // metallic, roughness, normal scale, cutoff
+    // Metallic, roughness, normal scale, alpha cutoff.
+    const vec4 factors = uintBitsToFloat(fetch_material(record + 2));
     const vec4 dielectric = uintBitsToFloat(fetch_material(record + 3));
     const uvec4 textures = fetch_material(record + 4);
     const vec4 factor = uintBitsToFloat(fetch_material(record)) * vertex_color;

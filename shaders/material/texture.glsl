@@ -51,9 +51,9 @@ vec4 texture_sample(uint texture_index, vec2 uv0, vec2 uv1) {
     const uint flags = head.w;
     const vec2 raw = (flags & TEXTURE_UV1) != 0u ? uv1 : uv0;
     const bool nearest = (flags & TEXTURE_NEAREST) != 0u;
-    const TextureAxis u = texture_axis(row_u.x * raw.x + row_u.y * raw.y + row_u.z, head.y, flags & 3u, nearest);
-    const TextureAxis v = texture_axis(row_v.x * raw.x + row_v.y * raw.y + row_v.z, head.z,
-                                       (flags >> TEXTURE_WRAP_V_SHIFT) & 3u, nearest);
+    const vec2 uv = vec2(dot(row_u, vec3(raw, 1.0)), dot(row_v, vec3(raw, 1.0)));
+    const TextureAxis u = texture_axis(uv.x, head.y, flags & 3u, nearest);
+    const TextureAxis v = texture_axis(uv.y, head.z, (flags >> TEXTURE_WRAP_V_SHIFT) & 3u, nearest);
     const uint row0 = head.x + uint(v.i0) * head.y;
     const uint row1 = head.x + uint(v.i1) * head.y;
     // All four even for nearest, whose weights are 0: lanes of a subgroup differ in their filter.
