@@ -1,6 +1,7 @@
 #include "trace_rig.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 namespace ajar::test {
 namespace {
@@ -16,6 +17,12 @@ gpu::Specialization specialization(const gpu::Device& device, const TraceScene& 
             {SPEC_TEXEL_BUFFERS, options.texel_buffers ? 1 : 0},
             {SPEC_FEATURES, features},
             {SPEC_OPTION, option}};
+}
+
+double process_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
 template <class T> gpu::Buffer upload(const gpu::Device& device, const std::vector<T>& values, std::string_view label) {
@@ -108,6 +115,14 @@ SegmentArgs TraceRig::begin(std::size_t rays, bool shadows) {
     return args;
 }
 
+void TraceRig::finish(gpu::Commands& commands, const SegmentArgs& args, RigResult& result) {
+    const double start = process_seconds();
+    commands.submit();
+    result.cpu_seconds = process_seconds() - start;
+    for (const SegmentCounts& counts : segments_.read<SegmentCounts>(0, args.segment_count))
+        result.exhausted += counts.loops_exhausted;
+}
+
 RigResult TraceRig::extend(std::span<const PathState> paths) {
     RigResult result;
     if (paths.empty()) return result;
@@ -116,10 +131,8 @@ RigResult TraceRig::extend(std::span<const PathState> paths) {
     gpu::Commands commands(device_);
     commands.bind(bindings_);
     extend_.dispatch(commands, {args}, args.segment_count);
-    result.seconds = commands.submit();
+    finish(commands, args, result);
     result.paths = paths_.read<PathState>(0, paths.size());
-    for (const SegmentCounts& counts : segments_.read<SegmentCounts>(0, args.segment_count))
-        result.exhausted += counts.loops_exhausted;
     return result;
 }
 
@@ -137,10 +150,8 @@ RigResult TraceRig::connect(std::span<const ShadowRay> rays) {
     gpu::Commands commands(device_);
     commands.bind(bindings_);
     connect_.dispatch(commands, {args}, args.segment_count);
-    result.seconds = commands.submit();
+    finish(commands, args, result);
     for (const glm::vec4& sum : radiance_.read<glm::vec4>(0, own.size())) result.open.push_back(sum.z == 3);
-    for (const SegmentCounts& counts : segments_.read<SegmentCounts>(0, args.segment_count))
-        result.exhausted += counts.loops_exhausted;
     return result;
 }
 

@@ -32,7 +32,7 @@ struct RigResult {
     std::vector<shared::PathState> paths;
     std::vector<bool> open;
     std::uint64_t exhausted = 0;
-    double seconds = 0; // on the device
+    double cpu_seconds = 0; // that the process spent while the kernel ran: the time of a device that is a CPU
 };
 
 class TraceRig {
@@ -52,6 +52,7 @@ class TraceRig {
   private:
     void fill_tables(const TraceScene& scene);
     shared::SegmentArgs begin(std::size_t rays, bool shadows);
+    void finish(gpu::Commands& commands, const shared::SegmentArgs& args, RigResult& result);
 
     const gpu::Device& device_;
     RigOptions options_;
