@@ -1,4 +1,5 @@
-// Alias tables: slots of equal capacity in integer units; small masses are topped up from large ones until none is left.
+// Alias tables: slots of equal capacity in integer units; small masses are topped up from large ones until
+// none is left.
 #include "render/alias_table.hpp"
 
 #include "base/error.hpp"
@@ -61,8 +62,10 @@ AliasTable build_alias_table(std::span<const double> weights) {
     std::vector<std::uint32_t> large;
     for (std::uint32_t i = 0; i < slots; ++i) {
         table.entries[i] = {1.0f, i, {0, 0}};
-        if (left[i] < capacity) small.push_back(i);
-        else if (left[i] > capacity) large.push_back(i);
+        if (left[i] < capacity)
+            small.push_back(i);
+        else if (left[i] > capacity)
+            large.push_back(i);
     }
     // The masses sum to slots * capacity, so small ones are left over only where all weights are 0.
     while (!small.empty() && !large.empty()) {

@@ -1,5 +1,5 @@
-// The largest texel comes from a pyramid of maxima, walked in strips over the triangle's outline in texture space, grown
-// by the bilinear filter's reach; the mean from area-uniform points (Roberts' R2 sequence).
+// The largest texel comes from a pyramid of maxima, walked in strips over the triangle's outline in texture
+// space, grown by the bilinear filter's reach; the mean from area-uniform points (Roberts' R2 sequence).
 #include "render/emission_means.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ struct Range {
     std::int64_t last = -1; // inclusive
 };
 
-// The texels that unwrapped texels first..last fall on: one or two ranges, all of them where the texture repeats within.
+// The texels that unwrapped texels first..last fall on: one or two ranges, all of them where the texture
+// repeats within.
 std::array<Range, 2> wrapped(Range range, std::int64_t size, Wrap wrap) {
     if (wrap == Wrap::clamp)
         return {Range{std::clamp<std::int64_t>(range.first, 0, size - 1),
@@ -62,7 +63,8 @@ std::pair<double, double> slab_extent(const std::array<glm::dvec2, 3>& p, double
 
 // The texels whose bilinear tents reach into [least, most].
 Range reach(double least, double most) {
-    return {static_cast<std::int64_t>(std::floor(least - 0.5)), static_cast<std::int64_t>(std::floor(most - 0.5)) + 1};
+    return {static_cast<std::int64_t>(std::floor(least - 0.5)),
+            static_cast<std::int64_t>(std::floor(most - 0.5)) + 1};
 }
 
 } // namespace
@@ -117,7 +119,8 @@ glm::vec3 EmissionMeans::mean(std::uint32_t material, const std::array<glm::vec2
     return m.emission * glm::max(sampled_mean(texture, texels), most / float{POINTS});
 }
 
-glm::vec3 EmissionMeans::footprint_max(const Texture& texture, const std::array<glm::dvec2, 3>& texels) const {
+glm::vec3 EmissionMeans::footprint_max(const Texture& texture,
+                                       const std::array<glm::dvec2, 3>& texels) const {
     const Pyramid& pyramid = pyramids_.at(texture.image);
     const std::int64_t width = pyramid[0].width;
     const std::int64_t height = pyramid[0].height;
@@ -133,8 +136,8 @@ glm::vec3 EmissionMeans::footprint_max(const Texture& texture, const std::array<
 
     const double across = std::max(std::min(upper.x - lower.x, static_cast<double>(width)),
                                    std::min(upper.y - lower.y, static_cast<double>(height)));
-    const int shift = std::clamp(static_cast<int>(std::ceil(std::log2(std::max(across / CELLS_ACROSS, 1.0)))), 0,
-                                 static_cast<int>(pyramid.size()) - 1);
+    const int shift = std::clamp(static_cast<int>(std::ceil(std::log2(std::max(across / CELLS_ACROSS, 1.0)))),
+                                 0, static_cast<int>(pyramid.size()) - 1);
     const Level& level = pyramid[static_cast<std::size_t>(shift)];
     std::array<std::uint8_t, 3> most{0, 0, 0};
     const auto visit = [&](Range rows, Range columns) {
@@ -143,8 +146,9 @@ glm::vec3 EmissionMeans::footprint_max(const Texture& texture, const std::array<
                 for (std::int64_t y = r.first >> shift; r.first <= r.last && y <= r.last >> shift; ++y)
                     for (std::int64_t x = c.first >> shift; c.first <= c.last && x <= c.last >> shift; ++x)
                         for (std::size_t k = 0; k < 3; ++k)
-                            most[k] = std::max(most[k], level.cells[static_cast<std::size_t>(y) * level.width +
-                                                                    static_cast<std::size_t>(x)][k]);
+                            most[k] =
+                                std::max(most[k], level.cells[static_cast<std::size_t>(y) * level.width +
+                                                              static_cast<std::size_t>(x)][k]);
     };
     const Range rows = reach(lower.y, upper.y);
     if (rows.last - rows.first + 1 >= height) {
@@ -175,14 +179,16 @@ glm::vec3 EmissionMeans::sampled_mean(const Texture& texture, const std::array<g
         u -= glm::floor(u);
         if (u.x + u.y > 1) u = 1.0 - u;
         const glm::dvec2 p = texels[0] + u.x * (texels[1] - texels[0]) + u.y * (texels[2] - texels[0]);
-        if (!(std::abs(p.x) < 1e15 && std::abs(p.y) < 1e15)) continue; // beyond all texels that can be told apart
+        if (!(std::abs(p.x) < 1e15 && std::abs(p.y) < 1e15))
+            continue; // beyond all texels that can be told apart
         const double reach_back = texture.filter == TextureFilter::nearest ? 0.0 : 0.5;
         const glm::dvec2 corner = glm::floor(p - reach_back);
-        const glm::dvec2 w = texture.filter == TextureFilter::nearest ? glm::dvec2(0) : p - reach_back - corner;
+        const glm::dvec2 w =
+            texture.filter == TextureFilter::nearest ? glm::dvec2(0) : p - reach_back - corner;
         const auto x = static_cast<std::int64_t>(corner.x);
         const auto y = static_cast<std::int64_t>(corner.y);
-        sum += glm::mix(glm::mix(texel(x, y), texel(x + 1, y), w.x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), w.x),
-                        w.y);
+        sum += glm::mix(glm::mix(texel(x, y), texel(x + 1, y), w.x),
+                        glm::mix(texel(x, y + 1), texel(x + 1, y + 1), w.x), w.y);
     }
     return glm::vec3(sum / double{POINTS});
 }

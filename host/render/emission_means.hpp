@@ -1,6 +1,6 @@
-// How much a triangle with an emission texture emits on average, to decide how often it is sampled. Importance only: the
-// kernels look the texture up at each sampled point, so an error here costs noise, not truth, as long as a triangle that
-// emits anywhere does not get 0.
+// How much a triangle with an emission texture emits on average, to decide how often it is sampled.
+// Importance only: the kernels look the texture up at each sampled point, so an error here costs noise, not
+// truth, as long as a triangle that emits anywhere does not get 0.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -18,9 +18,9 @@ class EmissionMeans {
     // `scene` must outlive this.
     explicit EmissionMeans(const Scene& scene);
 
-    // Mean radiance of a material over a triangle with these texture coordinates (of the set that its emission texture
-    // uses; any where there is none). At least 1/64 of the largest texel that the triangle can show; 0 exactly where
-    // it shows none that emits. May be called from many threads.
+    // Mean radiance of a material over a triangle with these texture coordinates (of the set that its
+    // emission texture uses; any where there is none). At least 1/64 of the largest texel that the triangle
+    // can show; 0 exactly where it shows none that emits. May be called from many threads.
     glm::vec3 mean(std::uint32_t material, const std::array<glm::vec2, 3>& uv) const;
 
   private:
@@ -37,7 +37,7 @@ class EmissionMeans {
     glm::vec3 sampled_mean(const Texture& texture, const std::array<glm::dvec2, 3>& texels) const;
 
     const Scene& scene_;
-    std::array<float, 256> decode_{}; // sRGB to linear
+    std::array<float, 256> decode_{};           // sRGB to linear
     std::map<std::uint32_t, Pyramid> pyramids_; // by Scene::images index
 };
 

@@ -1,5 +1,6 @@
-// The density of a texel is in proportion to the bilinear lookup's luminance averaged over it, so it is positive wherever
-// the lookup is: the environment is never missed, and its bright spots are found in proportion.
+// The density of a texel is in proportion to the bilinear lookup's luminance averaged over it, so it is
+// positive wherever the lookup is: the environment is never missed, and its bright spots are found in
+// proportion.
 #include "render/environment_table.hpp"
 
 #include "base/error.hpp"
@@ -21,8 +22,8 @@ float clean(float x) { return x > 0 ? std::min(x, FLT_MAX) : 0.0f; } // NaN comp
 
 glm::vec3 clean(const glm::vec3& v) { return {clean(v.x), clean(v.y), clean(v.z)}; }
 
-// Luminance of the scaled map averaged horizontally over the bilinear lookup: a texel's own value counts 6/8 in its
-// cell, each neighbour's 1/8 (the mean of the tent over half its width).
+// Luminance of the scaled map averaged horizontally over the bilinear lookup: a texel's own value counts 6/8
+// in its cell, each neighbour's 1/8 (the mean of the tent over half its width).
 std::vector<double> smoothed_rows(const Environment& environment) {
     const std::size_t width = environment.width;
     std::vector<double> smooth(width * environment.height);
@@ -39,7 +40,9 @@ std::vector<double> smoothed_rows(const Environment& environment) {
 }
 
 // Words of a tree's level whose nodes span 4^level entries.
-std::uint32_t level_nodes(std::uint32_t count, std::uint32_t level) { return ((count - 1) >> (2 * level)) + 1; }
+std::uint32_t level_nodes(std::uint32_t count, std::uint32_t level) {
+    return ((count - 1) >> (2 * level)) + 1;
+}
 
 } // namespace
 
@@ -49,12 +52,13 @@ double environment_texel_solid_angle(std::uint32_t width, std::uint32_t height, 
     return 4 * std::numbers::pi / width * std::sin((row + 0.5) * step) * std::sin(0.5 * step);
 }
 
-void append_search_trees(std::vector<glm::uvec4>& words, const std::vector<std::uint32_t>& masses, std::uint32_t rows,
-                         std::uint32_t count) {
+void append_search_trees(std::vector<glm::uvec4>& words, const std::vector<std::uint32_t>& masses,
+                         std::uint32_t rows, std::uint32_t count) {
     const auto levels = static_cast<std::uint32_t>((std::bit_width(std::max(count, 2u) - 1u) - 1) / 2 + 1);
     std::size_t first = words.size();
     std::size_t size = first;
-    for (std::uint32_t level = levels; level > 0; --level) size += std::size_t{rows} * level_nodes(count, level);
+    for (std::uint32_t level = levels; level > 0; --level)
+        size += std::size_t{rows} * level_nodes(count, level);
     words.resize(size);
     for (std::uint32_t level = levels; level > 0; --level) {
         const std::uint32_t nodes = level_nodes(count, level);
@@ -97,7 +101,8 @@ EnvironmentTable build_environment_table(const Environment& environment) {
                          0.125 * (smooth[above * width + x] + smooth[below * width + x]);
             sum += weights[x];
         }
-        row_power[y] = sum * environment_texel_solid_angle(table.width, table.height, static_cast<std::uint32_t>(y));
+        row_power[y] =
+            sum * environment_texel_solid_angle(table.width, table.height, static_cast<std::uint32_t>(y));
         const std::vector<std::uint32_t> masses = apportion(weights, PROBABILITY_UNITS);
         std::copy(masses.begin(), masses.end(), columns.begin() + static_cast<std::ptrdiff_t>(y * width));
     });
@@ -107,14 +112,14 @@ EnvironmentTable build_environment_table(const Environment& environment) {
     for (std::size_t y = 0; y < height; ++y) {
         const double solid_angle =
             environment_texel_solid_angle(table.width, table.height, static_cast<std::uint32_t>(y));
-        const double row_density = rows[y] / double{PROBABILITY_UNITS} / double{PROBABILITY_UNITS} / solid_angle;
+        const double row_density =
+            rows[y] / double{PROBABILITY_UNITS} / double{PROBABILITY_UNITS} / solid_angle;
         for (std::size_t x = 0; x < width; ++x) {
             const glm::vec3 radiance = clean(environment.radiance[y * width + x]);
             const auto density = static_cast<float>(row_density * columns[y * width + x]);
-            table.words[y * width + x] = {std::bit_cast<std::uint32_t>(radiance.x),
-                                          std::bit_cast<std::uint32_t>(radiance.y),
-                                          std::bit_cast<std::uint32_t>(radiance.z),
-                                          std::bit_cast<std::uint32_t>(density)};
+            table.words[y * width + x] = {
+                std::bit_cast<std::uint32_t>(radiance.x), std::bit_cast<std::uint32_t>(radiance.y),
+                std::bit_cast<std::uint32_t>(radiance.z), std::bit_cast<std::uint32_t>(density)};
         }
     }
     append_search_trees(table.words, rows, 1, table.height);

@@ -27,7 +27,9 @@ glm::vec2 spot_scale_offset(const Light& light) {
 double positive(double x) { return std::isfinite(x) && x > 0 ? x : 0; }
 
 // A scene without extent still gets its light.
-double disk_area(float scene_radius) { return pi * (scene_radius > 0 ? double{scene_radius} * scene_radius : 1.0); }
+double disk_area(float scene_radius) {
+    return pi * (scene_radius > 0 ? double{scene_radius} * scene_radius : 1.0);
+}
 
 shared::LightRecord triangle_record(const EmissiveTriangle& t) {
     shared::LightRecord record{};
@@ -81,7 +83,8 @@ double light_power(const Environment& environment, float scene_radius) {
     return positive(4 * pi * luminance(mean_radiance(environment)) * disk_area(scene_radius));
 }
 
-LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles, float scene_radius) {
+LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
+                             float scene_radius) {
     LightTable table;
     for (const EmissiveTriangle& t : triangles) {
         table.lights.push_back(triangle_record(t));
@@ -116,7 +119,8 @@ std::uint32_t LightTable::alias_first() const {
 std::vector<glm::uvec4> LightTable::words() const {
     static_assert(sizeof(shared::AliasEntry) == sizeof(glm::uvec4));
     std::vector<glm::uvec4> result(lights.size() * shared::LIGHT_TEXELS + alias.size());
-    if (!lights.empty()) std::memcpy(result.data(), lights.data(), lights.size() * sizeof(shared::LightRecord));
+    if (!lights.empty())
+        std::memcpy(result.data(), lights.data(), lights.size() * sizeof(shared::LightRecord));
     std::memcpy(result.data() + alias_first(), alias.data(), alias.size() * sizeof(shared::AliasEntry));
     return result;
 }

@@ -1,5 +1,6 @@
 // All lights of a scene as the device reads them, with the power sampler's probabilities.
-// Powers are in watts of luminance-weighted light: what a light sends into the scene (Pharr et al. 2023, section 12.6.2).
+// Powers are in watts of luminance-weighted light: what a light sends into the scene (Pharr et al. 2023,
+// section 12.6.2).
 #pragma once
 
 #include "scene/scene.hpp"
@@ -22,8 +23,9 @@ struct EmissiveTriangle {
     std::uint32_t material = 0; // Scene::materials
     glm::vec3 emission{0};      // mean radiance, W/(m^2 sr): see EmissionMeans
     bool two_sided = false;
-    bool textured = false; // emission differs from point to point (texture, or alpha MASK or BLEND): looked up there
-    float area = 0;        // m^2
+    bool textured =
+        false;      // emission differs from point to point (texture, or alpha MASK or BLEND): looked up there
+    float area = 0; // m^2
 };
 
 struct LightTable {
@@ -38,9 +40,11 @@ struct LightTable {
     std::uint32_t alias_first() const;
 };
 
-// scene_radius: of a sphere around the scene, metres; the environment and directional lights shine through its disk.
-// Lights without power have a pmf of 0, but uniform picking still finds them. Throws Error for too many lights.
-LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles, float scene_radius);
+// scene_radius: of a sphere around the scene, metres; the environment and directional lights shine through
+// its disk. Lights without power have a pmf of 0, but uniform picking still finds them. Throws Error for too
+// many lights.
+LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
+                             float scene_radius);
 
 // Watts, luminance-weighted.
 double light_power(const EmissiveTriangle& triangle);

@@ -1,6 +1,7 @@
-// Light from all around: an equirectangular map, importance-sampled by inversion of its marginal and conditional
-// distributions, or a constant. The lookup is bilinear; the density is constant over each texel's solid angle, in
-// proportion to the bilinear radiance averaged over it (environment_table.hpp; Pharr et al. 2023, section 12.5).
+// Light from all around: an equirectangular map, importance-sampled by inversion of its marginal and
+// conditional distributions, or a constant. The lookup is bilinear; the density is constant over each texel's
+// solid angle, in proportion to the bilinear radiance averaged over it (environment_table.hpp; Pharr et al.
+// 2023, section 12.5).
 #ifndef AJAR_LIGHTS_ENVIRONMENT_GLSL
 #define AJAR_LIGHTS_ENVIRONMENT_GLSL
 #include "../core/warps.glsl"
@@ -18,8 +19,8 @@ vec3 environment_to_world(vec3 d) {
     return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
 }
 
-// Bilinear radiance (rgb, unscaled) at `at`, in texels from the top left corner; wraps around in x, ends at the poles.
-// a: the density (1/sr) of the texel that `at` lies in, which is one of the four.
+// Bilinear radiance (rgb, unscaled) at `at`, in texels from the top left corner; wraps around in x, ends at
+// the poles. a: the density (1/sr) of the texel that `at` lies in, which is one of the four.
 vec4 environment_filter(vec2 at) {
     const uint width = frame.environment_width;
     const uint height = frame.environment_height;
@@ -60,9 +61,9 @@ struct EnvironmentStep {
     float fraction; // of that interval below u, [0, 1]
 };
 
-// Inverts one of `rows` distributions over `count` entries. They are 4-ary trees from word `first` on, level by level,
-// all rows' nodes of a level together; a node holds where its four children begin, in units of 2^-24. `first` moves on
-// to what follows the trees. All lanes take the same number of steps.
+// Inverts one of `rows` distributions over `count` entries. They are 4-ary trees from word `first` on, level
+// by level, all rows' nodes of a level together; a node holds where its four children begin, in units of
+// 2^-24. `first` moves on to what follows the trees. All lanes take the same number of steps.
 EnvironmentStep environment_invert(inout uint first, uint rows, uint row, uint count, float u) {
     const uint target = uint(int(u * 16777216.0));
     uint index = 0u;
@@ -72,8 +73,8 @@ EnvironmentStep environment_invert(inout uint first, uint rows, uint row, uint c
     for (uint level = levels; level > 0u; --level) {
         const uint nodes = ((count - 1u) >> (2u * level)) + 1u;
         const uvec4 begins = fetch_environment(first + row * nodes + index);
-        const uvec4 passed = target - begins; // wraps to a huge number where the child begins beyond the target
-        const uvec4 ahead = begins - target - 1u; // wraps likewise where it does not
+        const uvec4 passed = target - begins; // wraps to huge where it begins beyond the target
+        const uvec4 ahead = begins - target - 1u; // and where it does not
         below = min(below, min(min(passed.x, passed.y), min(passed.z, passed.w)));
         above = min(above, min(min(ahead.x, ahead.y), min(ahead.z, ahead.w)));
         index = 4u * index + uint(begins.y <= target) + uint(begins.z <= target) + uint(begins.w <= target);
@@ -91,8 +92,8 @@ LightSample light_environment_map_sample(vec2 u) {
     const EnvironmentStep y = environment_invert(first, 1u, 0u, height, u.y);
     const EnvironmentStep x = environment_invert(first, height, y.index, width, u.x);
 
-    // Uniform by solid angle within the row: sin^2(theta / 2) = (1 - cos theta) / 2 is linear in it. Measured from the
-    // nearer pole, where it keeps its digits.
+    // Uniform by solid angle within the row: sin^2(theta / 2) = (1 - cos theta) / 2 is linear in it. Measured
+    // from the nearer pole, where it keeps its digits.
     const bool south = 2u * y.index >= height;
     const float row = float(south ? height - 1u - y.index : y.index);
     const float fraction = south ? 1.0 - y.fraction : y.fraction;
@@ -108,7 +109,8 @@ LightSample light_environment_map_sample(vec2 u) {
     const float phi = (column / float(width) - 0.5) * (2.0 * MATH_PI);
 
     LightSample s = light_sample_none();
-    s.wi = environment_to_world(vec3(sin_theta * cos(phi), south ? -cos_theta : cos_theta, sin_theta * sin(phi)));
+    const float up = south ? -cos_theta : cos_theta;
+    s.wi = environment_to_world(vec3(sin_theta * cos(phi), up, sin_theta * sin(phi)));
     s.distance = LIGHT_FAR;
     const vec4 texel = environment_filter(vec2(column, south ? float(height) - polar : polar));
     s.radiance = texel.rgb * frame.environment_scale;
@@ -116,7 +118,7 @@ LightSample light_environment_map_sample(vec2 u) {
     return s;
 }
 
-// Uniform over the sphere: light_sample knows no surface, and BSDF sampling is the better half of MIS here anyway.
+// Uniform over the sphere: light_sample knows no surface, and BSDF sampling is the better half of MIS here.
 LightSample light_environment_constant_sample(vec2 u) {
     LightSample s = light_sample_none();
     s.wi = warps_sphere(u);

@@ -10,8 +10,8 @@ struct LightPick {
     float u;    // what is left of u: uniform again, but with only the digits that the choice did not use
 };
 
-const uint FEATURE_ANY_LIGHT = FEATURE_EMISSIVE_TRIANGLES | FEATURE_PUNCTUAL_LIGHTS | FEATURE_ENVIRONMENT_MAP |
-                               FEATURE_CONSTANT_ENVIRONMENT;
+const uint FEATURE_ANY_LIGHT = FEATURE_EMISSIVE_TRIANGLES | FEATURE_PUNCTUAL_LIGHTS |
+                               FEATURE_ENVIRONMENT_MAP | FEATURE_CONSTANT_ENVIRONMENT;
 const float LIGHT_PICK_BELOW_ONE = 0.99999994; // 1 - 2^-24, the largest u
 
 #endif

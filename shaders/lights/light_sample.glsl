@@ -9,7 +9,7 @@
 struct LightSample {
     vec3 wi;        // world, unit, towards the light
     float distance; // metres; LIGHT_FAR for directional lights and the environment
-    vec3 radiance;  // arriving along wi when nothing is in the way; delta lights: irradiance at normal incidence, W/m^2
+    vec3 radiance;  // arriving along wi if unoccluded; delta lights: irradiance at normal incidence, W/m^2
     float pdf;      // of wi by solid angle (1/sr), given the light; 1 for delta lights
     bool delta;     // no other sampling can find this light: no MIS
     uint triangle;  // the shadow ray must not hit it: the emitting triangle, or NO_TRIANGLE
@@ -18,9 +18,9 @@ struct LightSample {
 
 const float LIGHT_FAR = 3.402823e38; // the largest float: all geometry is nearer
 
-// Squared metres. Nearer than a tenth of a micrometre (below the wavelength of light) a source that has no size has no
-// meaning, and 1 / d^2 would overflow.
-const float LIGHT_NEAR_SQUARED = 1e-14;
+// Squared metres. Nearer than this a squared distance is made of subnormal parts, and 1 / d^2 runs out of
+// range: no sample.
+const float LIGHT_NEAR_SQUARED = 1e-30;
 
 LightSample light_sample_none() {
     return LightSample(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, false, NO_TRIANGLE, 0u);

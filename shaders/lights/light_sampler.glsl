@@ -1,5 +1,5 @@
-// The switch over light samplers (SPEC_LIGHT_SAMPLER). A sampler may look at the shaded point and its normal; one that
-// does must use the same point and normal in pmf for MIS.
+// The switch over light samplers (SPEC_LIGHT_SAMPLER). A sampler may look at the shaded point and its normal;
+// one that does must use the same point and normal in pmf for MIS.
 #ifndef AJAR_LIGHT_SAMPLER_GLSL
 #define AJAR_LIGHT_SAMPLER_GLSL
 #include "sampler_power.glsl"

@@ -1,9 +1,9 @@
-// Point light of KHR_lights_punctual: intensity (W/sr) over d^2, cut off towards its range as the extension says.
+// Point light of KHR_lights_punctual: intensity (W/sr) over d^2, cut off towards its range as it says there.
 #ifndef AJAR_LIGHTS_POINT_GLSL
 #define AJAR_LIGHTS_POINT_GLSL
 #include "light_sample.glsl"
 
-// The extension's range attenuation without its 1 / d^2: max(min(1 - (d / range)^4, 1), 0); 1 where there is no range.
+// The extension's range attenuation without its 1 / d^2: max(min(1 - (d / range)^4, 1), 0). 1 without one.
 float light_range_window(float distance2, float inverse_range2) {
     const float ratio2 = distance2 * inverse_range2;
     return max(1.0 - ratio2 * ratio2, 0.0);

@@ -1,5 +1,6 @@
-// Picks a light in proportion to its power, by the alias method (Walker 1977; Vose 1991) over 2^k slots in integers of
-// 2^-24: u comes in such steps, so slot and remainder are exact and power_pmf is the very probability of being picked.
+// Picks a light in proportion to its power, by the alias method (Walker 1977; Vose 1991) over 2^k slots in
+// integers of 2^-24: u comes in such steps, so slot and remainder are exact and power_pmf is the very
+// probability of being picked.
 #ifndef AJAR_SAMPLER_POWER_GLSL
 #define AJAR_SAMPLER_POWER_GLSL
 #include "light_pick.glsl"

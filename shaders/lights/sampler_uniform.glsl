@@ -7,7 +7,8 @@ float sampler_uniform_pmf() { return 1.0 / float(max(frame.light_count, 1u)); }
 
 LightPick sampler_uniform_pick(float u) {
     const float scaled = u * float(frame.light_count);
-    const float index = min(floor(scaled), float(max(frame.light_count, 1u) - 1u)); // the product may round up
+    // The product may round up to the count.
+    const float index = min(floor(scaled), float(max(frame.light_count, 1u) - 1u));
     return LightPick(uint(int(index)), sampler_uniform_pmf(), min(scaled - index, LIGHT_PICK_BELOW_ONE));
 }
 

@@ -12,14 +12,15 @@ namespace {
 
 constexpr double UNITS = PROBABILITY_UNITS;
 
-// What the kernel does with u = k / 2^24 in exact arithmetic: how many of the 2^24 values of u give each entry.
+// What the kernel does with u = k / 2^24 in exact arithmetic: how many of the 2^24 values of u give each
+// entry.
 std::vector<std::uint64_t> reconstruct(const AliasTable& table, std::size_t count) {
     std::vector<std::uint64_t> units(table.entries.size(), 0);
     const std::uint64_t capacity = PROBABILITY_UNITS / table.entries.size();
     for (std::size_t slot = 0; slot < table.entries.size(); ++slot) {
         // rest = j / capacity < keep for j = 0 .. capacity - 1
-        const auto kept =
-            static_cast<std::uint64_t>(std::ceil(double{table.entries[slot].keep} * static_cast<double>(capacity)));
+        const auto kept = static_cast<std::uint64_t>(
+            std::ceil(double{table.entries[slot].keep} * static_cast<double>(capacity)));
         units[slot] += kept;
         units[table.entries[slot].other] += capacity - kept;
     }
@@ -70,7 +71,8 @@ TEST(AliasTable, NeverDropsALightThatIsTooWeakForItsShare) {
 
 TEST(AliasTable, SplitsEvenlyBetweenEqualLights) {
     EXPECT_EQ(build_alias_table(std::vector<double>{2, 2}).pmf, (std::vector<float>{0.5f, 0.5f}));
-    EXPECT_EQ(build_alias_table(std::vector<double>{1, 1, 1, 1}).pmf, (std::vector<float>{0.25f, 0.25f, 0.25f, 0.25f}));
+    EXPECT_EQ(build_alias_table(std::vector<double>{1, 1, 1, 1}).pmf,
+              (std::vector<float>{0.25f, 0.25f, 0.25f, 0.25f}));
 }
 
 TEST(AliasTable, HasAnEntryToReadEvenWithoutAnyWeight) {

@@ -18,7 +18,8 @@ Scene emissive_scene(std::uint32_t width, std::uint32_t height,
     image.width = width;
     image.height = height;
     for (std::uint32_t y = 0; y < height; ++y)
-        for (std::uint32_t x = 0; x < width; ++x) image.rgba.insert(image.rgba.end(), {value(x, y), 0, 0, 255});
+        for (std::uint32_t x = 0; x < width; ++x)
+            image.rgba.insert(image.rgba.end(), {value(x, y), 0, 0, 255});
     scene.images.push_back(std::move(image));
     Texture texture;
     texture.wrap_u = texture.wrap_v = wrap;
@@ -41,21 +42,23 @@ TEST(EmissionMeans, OfAnUntexturedMaterialIsItsEmission) {
 TEST(EmissionMeans, AveragesLinearValuesOverTheTriangle) {
     // Left half white: a triangle over the whole square has three quarters of its area there, or one.
     const Scene scene = emissive_scene(64, 64, [](auto x, auto) { return x < 32 ? 255 : 0; });
-    const glm::vec3 three = EmissionMeans(scene).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)});
+    const glm::vec3 three =
+        EmissionMeans(scene).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)});
     EXPECT_NEAR(three.x, 2 * 0.75, 2 * 0.05);
     EXPECT_EQ(three.y, 0.0f);
     const glm::vec3 one = EmissionMeans(scene).mean(0, Uv{glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)});
     EXPECT_NEAR(one.x, 2 * 0.25, 2 * 0.05);
     const Scene grey = emissive_scene(4, 4, [](auto, auto) { return 188; });
-    EXPECT_NEAR(EmissionMeans(grey).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}).x, 2 * 0.5028865f,
-                1e-4);
+    EXPECT_NEAR(EmissionMeans(grey).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}).x,
+                2 * 0.5028865f, 1e-4);
 }
 
 TEST(EmissionMeans, AppliesTheTextureTransform) {
     Scene scene = emissive_scene(64, 64, [](auto x, auto y) { return x < 32 && y >= 32 ? 255 : 0; });
     scene.materials[0].emission_texture.uv_row_u = glm::vec3(0.25f, 0, 0.05f);
     scene.materials[0].emission_texture.uv_row_v = glm::vec3(0, 0.25f, 0.6f);
-    EXPECT_FLOAT_EQ(EmissionMeans(scene).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}).x, 2.0f);
+    EXPECT_FLOAT_EQ(EmissionMeans(scene).mean(0, Uv{glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}).x,
+                    2.0f);
 }
 
 constexpr glm::vec2 SIZE(300, 200);
@@ -100,10 +103,12 @@ TEST(EmissionMeans, NeverMissesATexelThatTheTriangleShows) {
                     const auto copy = static_cast<float>(static_cast<int>(random() % 5) - 2);
                     if (wrap == Wrap::repeat) center[axis] += copy;
                     if (wrap == Wrap::mirror)
-                        center[axis] = copy + (std::fmod(copy, 2.0f) == 0.0f ? center[axis] : 1 - center[axis]);
+                        center[axis] =
+                            copy + (std::fmod(copy, 2.0f) == 0.0f ? center[axis] : 1 - center[axis]);
                 }
                 Uv uv;
-                for (glm::vec2& p : uv) p = center + size * (2.0f * glm::vec2(uniform(random), uniform(random)) - 1.0f);
+                for (glm::vec2& p : uv)
+                    p = center + size * (2.0f * glm::vec2(uniform(random), uniform(random)) - 1.0f);
                 if (!shows_texel(uv, lit, wrap, random)) continue;
                 ++shown;
                 EXPECT_GE(means.mean(0, uv).x, 2.0f / 64);
@@ -115,7 +120,8 @@ TEST(EmissionMeans, NeverMissesATexelThatTheTriangleShows) {
 TEST(EmissionMeans, IsExactlyZeroWhereNothingIsLit) {
     const Scene scene = emissive_scene(1024, 1024, [](auto x, auto) { return x == 512 ? 255 : 0; });
     const EmissionMeans means(scene);
-    EXPECT_EQ(means.mean(0, Uv{glm::vec2(0.1f, 0.1f), glm::vec2(0.4f, 0.1f), glm::vec2(0.1f, 0.9f)}), glm::vec3(0));
+    EXPECT_EQ(means.mean(0, Uv{glm::vec2(0.1f, 0.1f), glm::vec2(0.4f, 0.1f), glm::vec2(0.1f, 0.9f)}),
+              glm::vec3(0));
     // A sliver along the diagonal has a large box, but its outline stays clear of most of it.
     EXPECT_EQ(means.mean(0, Uv{glm::vec2(0.6f, 0), glm::vec2(0.9f, 0), glm::vec2(0.9f, 1)}), glm::vec3(0));
     EXPECT_GT(means.mean(0, Uv{glm::vec2(0.4f, 0.1f), glm::vec2(0.6f, 0.1f), glm::vec2(0.5f, 0.2f)}).x, 0.0f);

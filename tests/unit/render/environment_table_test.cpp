@@ -42,7 +42,8 @@ double luminance_at(const Environment& e, std::int64_t x, std::int64_t y) {
     return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
 }
 
-// Mean of the bilinear lookup over a texel by the midpoint rule, which is exact for what is linear in each quarter.
+// Mean of the bilinear lookup over a texel by the midpoint rule, which is exact for what is linear in each
+// quarter.
 double mean_lookup(const Environment& e, std::int64_t x, std::int64_t y) {
     double sum = 0;
     for (const double v : {-0.25, 0.25})
@@ -56,8 +57,8 @@ double mean_lookup(const Environment& e, std::int64_t x, std::int64_t y) {
 }
 
 // The tree's lookup in plain words: the entry whose interval of the cumulative sum holds `target`.
-std::uint32_t walk(const std::vector<glm::uvec4>& words, std::size_t first, std::uint32_t rows, std::uint32_t row,
-                   std::uint32_t count, std::uint32_t target) {
+std::uint32_t walk(const std::vector<glm::uvec4>& words, std::size_t first, std::uint32_t rows,
+                   std::uint32_t row, std::uint32_t count, std::uint32_t target) {
     std::uint32_t level = 1;
     while (std::pow(4.0, level) < count) ++level;
     std::uint32_t index = 0;
@@ -78,7 +79,8 @@ TEST(EnvironmentTable, DensityIntegratesToOneOverTheSphere) {
         const EnvironmentTable table = build_environment_table(random_map(width, height));
         double sum = 0;
         for (std::uint32_t y = 0; y < height; ++y)
-            for (std::uint32_t x = 0; x < width; ++x) sum += density(table, x, y) * texel_solid_angle(width, height, y);
+            for (std::uint32_t x = 0; x < width; ++x)
+                sum += density(table, x, y) * texel_solid_angle(width, height, y);
         EXPECT_NEAR(sum, 1, 1e-6) << width << " x " << height;
     }
 }

@@ -44,7 +44,8 @@ TEST(LightTable, PowersAreTheIntegralsOfWhatIsSentOut) {
 
     Light light;
     EXPECT_NEAR(light_power(light, 5), 4 * PI, 1e-6);
-    for (const auto& [inner, outer] : {std::pair{0.0f, 0.7f}, {0.5f, 0.52f}, {0.0f, 1.5f}, {0.3f, 0.3f}, {0.0f, 0.01f}}) {
+    for (const auto& [inner, outer] :
+         {std::pair{0.0f, 0.7f}, {0.5f, 0.52f}, {0.0f, 1.5f}, {0.3f, 0.3f}, {0.0f, 0.01f}}) {
         const double expected = spot_power_by_quadrature(spot(inner, outer));
         EXPECT_NEAR(light_power(spot(inner, outer), 5), expected, 2e-3 * expected) << inner << " " << outer;
     }
@@ -89,7 +90,8 @@ TEST(LightTable, OrdersTrianglesThenPunctualLightsThenTheEnvironment) {
     ASSERT_EQ(table.lights.size(), 6u);
     EXPECT_EQ(table.environment_light, 5u);
     EXPECT_EQ(table.lights[1].triangle, 42u);
-    EXPECT_EQ(table.lights[2].kind, shared::LIGHT_TRIANGLE | shared::LIGHT_TWO_SIDED | shared::LIGHT_TEXTURED);
+    EXPECT_EQ(table.lights[2].kind,
+              shared::LIGHT_TRIANGLE | shared::LIGHT_TWO_SIDED | shared::LIGHT_TEXTURED);
     EXPECT_EQ(table.lights[3].kind, shared::LIGHT_POINT);
     EXPECT_EQ(table.lights[3].p2.x, 1.0f / 16);
     EXPECT_EQ(table.lights[4].kind, shared::LIGHT_SPOT);

@@ -5,10 +5,10 @@
 DUAL_BEGIN
 
 // SPEC_OPTION.
-const uint LIGHTS_SAMPLE = 0;      // point, light, uv -> LightSample
-const uint LIGHTS_PICK = 1;        // point, normal = direction, uv.x -> light, pdf = pmf, direction.x = rest of u;
-                                   //   distance = pmf of that light, asked again
-const uint LIGHTS_ENVIRONMENT = 2; // direction -> radiance, pdf
+const uint LIGHTS_SAMPLE = 0; // point, light, uv -> LightSample
+const uint LIGHTS_PICK = 1;   // point, normal = direction, uv.x -> light, pdf = pmf, direction.x = rest of u;
+                              //   distance = pmf of that light, asked again
+const uint LIGHTS_ENVIRONMENT = 2;  // direction -> radiance, pdf
 const uint LIGHTS_TRIANGLE_PDF = 3; // direction, distance, normal = point, area = uv.x -> pdf
 
 struct LightItem {
