@@ -57,6 +57,6 @@ class JsonObject {
 };
 
 // Parses text of bounded depth and bounded number of values, as a small file of brackets can fill the memory.
-nlohmann::json parse_json(std::span<const std::byte> text, const std::string& file);
+nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& file);
 
 } // namespace ajar::gltf
