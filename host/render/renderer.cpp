@@ -113,7 +113,7 @@ class RenderJob {
                      const std::function<bool()>& keep_going);
     void fill_stats(RenderStats& stats) const;
     std::uint32_t pixel_groups(const SegmentArgs& slice) const {
-        const std::uint32_t pixels = slice.segment_count * pool_.segment_paths() / slice.samples_per_pixel;
+        const std::uint32_t pixels = (slice.segment_count * pool_.segment_paths()) >> slice.samples_log2;
         return (pixels + device_.workgroup_size() - 1) / device_.workgroup_size();
     }
 
@@ -188,7 +188,7 @@ bool RenderJob::run_samples(PassRunner& runner, std::uint32_t done, std::uint32_
             args.segment_count = (args.path_count + pool_.segment_paths() - 1) / pool_.segment_paths();
             args.first_ordinal = first;
             args.chunk_ordinal = chunk_first;
-            args.samples_per_pixel = count;
+            args.samples_log2 = static_cast<std::uint32_t>(std::countr_zero(count));
             args.first_sample = settings_.first_sample + done;
             if (!runner.run(args, keep_going)) return false;
         }

@@ -1,12 +1,53 @@
 // What kernels write: path state, shadow rays, segment counters and path radiances (bindings.glsl.h).
+// Paths and shadow rays are read and written as whole 16-byte words: on lavapipe every load or store is a loop over the
+// lanes, so a struct member by member costs several times as much.
 #ifndef AJAR_PATHS_GLSL
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
 #include "../shared/path.glsl.h"
 
-layout(set = 0, binding = BIND_PATHS, scalar) buffer PathsBlock { PathState paths[]; };
-layout(set = 0, binding = BIND_SHADOW_RAYS, scalar) buffer ShadowRaysBlock { ShadowRay shadow_rays[]; };
+layout(set = 0, binding = BIND_PATHS, std430) buffer PathsBlock { uvec4 path_words[]; };
+layout(set = 0, binding = BIND_SHADOW_RAYS, std430) buffer ShadowRaysBlock { uvec4 shadow_ray_words[]; };
 layout(set = 0, binding = BIND_SEGMENTS, scalar) buffer SegmentsBlock { SegmentCounts segments[]; };
-layout(set = 0, binding = BIND_RADIANCE, scalar) buffer RadianceBlock { vec4 radiance[]; };
+layout(set = 0, binding = BIND_RADIANCE, std430) buffer RadianceBlock { vec4 radiance[]; };
+
+PathState path_load(uint slot) {
+    uvec4 a = path_words[4u * slot];
+    uvec4 b = path_words[4u * slot + 1u];
+    uvec4 c = path_words[4u * slot + 2u];
+    uvec4 d = path_words[4u * slot + 3u];
+    return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
+                     c.w, d.x, d.y, uintBitsToFloat(d.z), uintBitsToFloat(d.w));
+}
+
+// The last word alone: what extend finds.
+void path_store_hit(uint slot, uint triangle, uint instance, float u, float v) {
+    path_words[4u * slot + 3u] = uvec4(triangle, instance, floatBitsToUint(u), floatBitsToUint(v));
+}
+
+void path_store(uint slot, PathState path) {
+    path_words[4u * slot] = uvec4(floatBitsToUint(path.origin), path.home);
+    path_words[4u * slot + 1u] = uvec4(floatBitsToUint(path.direction), floatBitsToUint(path.pdf));
+    path_words[4u * slot + 2u] = uvec4(floatBitsToUint(path.beta), path.salt);
+    path_store_hit(slot, path.triangle, path.instance, path.u, path.v);
+}
+
+ShadowRay shadow_ray_load(uint slot) {
+    uvec4 a = shadow_ray_words[4u * slot];
+    uvec4 b = shadow_ray_words[4u * slot + 1u];
+    uvec4 c = shadow_ray_words[4u * slot + 2u];
+    uvec4 d = shadow_ray_words[4u * slot + 3u];
+    return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
+                     c.w, d.x, d.y, d.z, d.w);
+}
+
+void shadow_ray_store(uint slot, ShadowRay ray) {
+    shadow_ray_words[4u * slot] = uvec4(floatBitsToUint(ray.origin), ray.home);
+    shadow_ray_words[4u * slot + 1u] = uvec4(floatBitsToUint(ray.direction), floatBitsToUint(ray.distance));
+    shadow_ray_words[4u * slot + 2u] = uvec4(floatBitsToUint(ray.contribution), ray.triangle);
+    shadow_ray_words[4u * slot + 3u] = uvec4(ray.instance, ray.light_triangle, ray.light_instance, ray.salt);
+}
+
+void radiance_add(uint home, vec3 value) { radiance[home] = radiance[home] + vec4(value, 0.0); }
 
 #endif

@@ -26,10 +26,10 @@ struct PathOwner {
 };
 
 PathOwner segment_owner(SegmentArgs args, uint home) {
-    uint packed_pixel = frame.pixel_order.at[args.first_ordinal + home / args.samples_per_pixel].packed;
+    uint packed_pixel = frame.pixel_order.at[args.first_ordinal + (home >> args.samples_log2)].packed;
     PathOwner owner;
     owner.pixel = uvec2(packed_pixel & 0xffffu, packed_pixel >> 16);
-    owner.sample_index = args.first_sample + home % args.samples_per_pixel;
+    owner.sample_index = args.first_sample + (home & ((1u << args.samples_log2) - 1u));
     return owner;
 }
 

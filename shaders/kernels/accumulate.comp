@@ -20,8 +20,8 @@ void report_invalid(uint home) {
 }
 
 void main() {
-    uint spp = args.segments.samples_per_pixel;
-    uint ordinal = args.segments.first_segment * SEGMENT_SIZE / spp + workgroup_index() * WORKGROUP_SIZE +
+    uint spp = 1u << args.segments.samples_log2;
+    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) + workgroup_index() * WORKGROUP_SIZE +
                    gl_LocalInvocationID.x;
     uint end = min(args.segments.path_count, (args.segments.first_segment + args.segments.segment_count) * SEGMENT_SIZE);
     if (ordinal * spp >= end) return;

@@ -6,7 +6,7 @@
 DUAL_BEGIN
 
 struct AccumulateArgs {
-    SegmentArgs segments; // the pass: path_count, first_ordinal, chunk_ordinal, samples_per_pixel, first_sample
+    SegmentArgs segments; // the pass: path_count, first_ordinal, chunk_ordinal, samples_log2, first_sample
 };
 DUAL_SIZE(AccumulateArgs, 36);
 

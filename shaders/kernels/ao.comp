@@ -39,12 +39,12 @@ void main() {
     uint shadows = 0u;
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
-        PathState path = paths[first + min(i, count - 1u)];
+        PathState path = path_load(first + min(i, count - 1u));
         bool hit = i < count && path.triangle != NO_TRIANGLE;
         ShadowRay ray;
         if (hit) ray = occlusion_ray(path);
         Scan rays = scan_keepers(hit);
-        if (hit) shadow_rays[first + shadows + rays.before] = ray;
+        if (hit) shadow_ray_store(first + shadows + rays.before, ray);
         shadows += rays.total;
     }
     if (gl_LocalInvocationID.x == 0u) {

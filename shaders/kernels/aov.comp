@@ -39,15 +39,15 @@ void add_hit(inout AovPixel pixel, PathState path, bool first_of_pixel) {
 }
 
 void main() {
-    uint spp = args.segments.samples_per_pixel;
-    uint ordinal = args.segments.first_segment * SEGMENT_SIZE / spp + workgroup_index() * WORKGROUP_SIZE +
+    uint spp = 1u << args.segments.samples_log2;
+    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) + workgroup_index() * WORKGROUP_SIZE +
                    gl_LocalInvocationID.x;
     uint end = min(args.segments.path_count, (args.segments.first_segment + args.segments.segment_count) * SEGMENT_SIZE);
     if (ordinal * spp >= end) return;
     uint at = args.segments.first_ordinal + ordinal;
     AovPixel pixel = frame.aovs.at[at];
     for (uint s = 0u; s < min(spp, MAX_SAMPLES_PER_PASS); ++s) {
-        PathState path = paths[ordinal * spp + s];
+        PathState path = path_load(ordinal * spp + s);
         if (path.triangle != NO_TRIANGLE) add_hit(pixel, path, args.segments.first_sample + s == 0u);
     }
     frame.aovs.at[at] = pixel;

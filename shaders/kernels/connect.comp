@@ -16,7 +16,7 @@ void main() {
     uint exhausted = 0u;
     uint open = 0u;
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
-        ShadowRay shadow = shadow_rays[first + i];
+        ShadowRay shadow = shadow_ray_load(first + i);
         vec3 offset = leave_offset(shadow.triangle, shadow.instance, shadow.origin, shadow.direction);
         float reach = leave_reach(shadow.distance, shadow.light_triangle, shadow.light_instance, shadow.origin,
                                   shadow.direction, offset);
@@ -25,7 +25,7 @@ void main() {
         Hit hit = bvh_trace(ray, true);
         exhausted += hit.exhausted ? 1u : 0u;
         if (hit.triangle == NO_TRIANGLE) {
-            radiance[shadow.home].rgb += shadow.contribution;
+            radiance_add(shadow.home, shadow.contribution);
             ++open;
         }
     }

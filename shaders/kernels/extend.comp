@@ -15,15 +15,12 @@ void main() {
     uint count = segments[segment].paths;
     uint exhausted = 0u;
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
-        PathState path = paths[first + i];
+        PathState path = path_load(first + i);
         vec3 offset = leave_offset(path.triangle, path.instance, path.origin, path.direction);
         BvhRay ray = BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance, NO_TRIANGLE, 0u,
                             path.salt);
         Hit hit = bvh_trace(ray, false);
-        paths[first + i].triangle = hit.triangle;
-        paths[first + i].instance = hit.instance;
-        paths[first + i].u = hit.u;
-        paths[first + i].v = hit.v;
+        path_store_hit(first + i, hit.triangle, hit.instance, hit.u, hit.v);
         exhausted += hit.exhausted ? 1u : 0u;
     }
     if (exhausted > 0u) atomicAdd(segments[segment].loops_exhausted, exhausted);

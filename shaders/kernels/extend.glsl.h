@@ -7,6 +7,9 @@
 #include "../shared/segment_args.glsl.h"
 DUAL_BEGIN
 
+const uint EXTEND_CAMERA = 0; // neighbouring slots hold similar rays: worth tracing together
+const uint EXTEND_BOUNCE = 1; // rays of a segment have little in common
+
 struct ExtendArgs {
     SegmentArgs segments;
 };

@@ -40,7 +40,7 @@ void main() {
         path.instance = 0u;
         path.u = 0.0;
         path.v = 0.0;
-        paths[home] = path;
+        path_store(home, path);
         radiance[home] = vec4(0.0);
     }
     if (gl_LocalInvocationID.x == 0u) {

@@ -48,7 +48,7 @@ bool bounce(inout PathState path) {
             }
         }
     }
-    if (any(notEqual(emission, vec3(0.0)))) radiance[path.home].rgb += beta * emission;
+    if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }
 
@@ -60,11 +60,11 @@ void main() {
     uint kept = 0u;
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
-        PathState path = paths[first + min(i, count - 1u)];
+        PathState path = path_load(first + min(i, count - 1u));
         bool alive = false;
         if (i < count) alive = bounce(path);
         Scan survivors = scan_keepers(alive);
-        if (alive) paths[first + kept + survivors.before] = path;
+        if (alive) path_store(first + kept + survivors.before, path);
         kept += survivors.total;
     }
     if (gl_LocalInvocationID.x == 0u) segments[segment].paths = kept;

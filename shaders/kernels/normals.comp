@@ -14,7 +14,7 @@ void main() {
     uint first = segment * SEGMENT_SIZE;
     uint count = segments[segment].paths;
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
-        PathState path = paths[first + i];
+        PathState path = path_load(first + i);
         if (path.triangle != NO_TRIANGLE) {
             Vertex v = vertex_at(path);
             radiance[path.home] = vec4(0.5 * v.frame.n + 0.5, 1.0);

@@ -102,7 +102,7 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
             alive = scatter(path, v, points, dimension);
         }
     }
-    if (any(notEqual(emission, vec3(0.0)))) radiance[path.home].rgb += beta * emission;
+    if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }
 
@@ -115,16 +115,16 @@ void main() {
     uint shadows = 0u;
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
-        PathState path = paths[first + min(i, count - 1u)];
+        PathState path = path_load(first + min(i, count - 1u));
         ShadowRay ray;
         bool connects = false;
         bool alive = false;
         if (i < count) alive = shade(path, ray, connects);
         Scan survivors = scan_keepers(alive);
-        if (alive) paths[first + kept + survivors.before] = path;
+        if (alive) path_store(first + kept + survivors.before, path);
         kept += survivors.total;
         Scan connections = scan_keepers(connects);
-        if (connects) shadow_rays[first + shadows + connections.before] = ray;
+        if (connects) shadow_ray_store(first + shadows + connections.before, ray);
         shadows += connections.total;
     }
     if (gl_LocalInvocationID.x == 0u) {

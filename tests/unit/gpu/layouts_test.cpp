@@ -99,7 +99,7 @@ const Field FIELDS[] = {
     F(SegmentCounts, pad),
     F(SegmentArgs, segment_count), F(SegmentArgs, first_segment), F(SegmentArgs, segment_stride),
     F(SegmentArgs, bounce), F(SegmentArgs, path_count), F(SegmentArgs, first_ordinal),
-    F(SegmentArgs, chunk_ordinal), F(SegmentArgs, samples_per_pixel), F(SegmentArgs, first_sample),
+    F(SegmentArgs, chunk_ordinal), F(SegmentArgs, samples_log2), F(SegmentArgs, first_sample),
     F(AccumulateArgs, segments),
     F(AlbedoArgs, segments),
     F(AoArgs, segments),
