@@ -43,7 +43,8 @@ void measure_errors(const Layer& test, const Layer& reference, Range range, Comp
     const std::size_t count = reference.pixels.size() / reference.channels;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
-            const double a = test.pixels[i * test.channels + c], b = reference.pixels[i * reference.channels + c];
+            const double a = test.pixels[i * test.channels + c],
+                         b = reference.pixels[i * reference.channels + c];
             const double square = (a - b) * (a - b);
             squares += square;
             relative += square / (b * b + 0.01);
@@ -70,10 +71,11 @@ void check(const char* name, double value, const std::optional<double>& limit, V
 void check(const char* name, const std::optional<ZTest>& test, double level, Verdict& verdict) {
     if (test->corrected_p >= level) return;
     verdict.same = false;
-    verdict.reasons.push_back(fmt::format(
-        "noise does not explain the {}: {} of {} tests rejected, the worst at ({}, {}) {}: z = {:.1f}, p = {:.2g} "
-        "corrected",
-        name, test->rejected, test->tests, test->x, test->y, "RGB"[test->channel], test->z, test->corrected_p));
+    verdict.reasons.push_back(fmt::format("noise does not explain the {}: {} of {} tests rejected, the worst "
+                                          "at ({}, {}) {}: z = {:.1f}, p = {:.2g} "
+                                          "corrected",
+                                          name, test->rejected, test->tests, test->x, test->y,
+                                          "RGB"[test->channel], test -> z, test -> corrected_p));
 }
 
 } // namespace
@@ -82,8 +84,8 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
     const Layer& a = beauty(test, options.test_name);
     const Layer& b = beauty(reference, options.reference_name);
     if (test.width != reference.width || test.height != reference.height)
-        throw Error(fmt::format("{}: is {} x {} pixels, but {} is {} x {}", options.test_name, test.width, test.height,
-                                options.reference_name, reference.width, reference.height));
+        throw Error(fmt::format("{}: is {} x {} pixels, but {} is {} x {}", options.test_name, test.width,
+                                test.height, options.reference_name, reference.width, reference.height));
     if (test.pixel_count() == 0) throw Error(fmt::format("{}: has no pixels", options.test_name));
     require_finite(test, a, options.test_name);
     require_finite(reference, b, options.reference_name);
@@ -94,7 +96,9 @@ Comparison compare(const Image& test, const Image& reference, const CompareOptio
     const bool scene = test.range == Range::scene && reference.range == Range::scene;
     measure_errors(a, b, scene ? Range::scene : Range::display, result);
 
-    result.flip_kind = options.flip != FlipKind::automatic ? options.flip : scene ? FlipKind::hdr : FlipKind::ldr;
+    result.flip_kind = options.flip != FlipKind::automatic ? options.flip
+                       : scene                             ? FlipKind::hdr
+                                                           : FlipKind::ldr;
     const auto flip = result.flip_kind == FlipKind::hdr ? flip_hdr : flip_ldr;
     result.flip_error = flip(planes(reference, b), planes(test, a), options.pixels_per_degree);
     for (const float error : result.flip_error) result.flip += error;

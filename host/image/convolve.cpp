@@ -6,11 +6,14 @@
 
 namespace ajar {
 
-// The inner loops run along x over whole rows, so that the compiler vectorizes them; a tap is a constant there.
+// The inner loops run along x over whole rows, so that the compiler vectorizes them; a tap is a constant
+// there.
 void add_convolved(const std::vector<float>& in, std::uint32_t width, std::uint32_t height,
-                   std::span<const float> row_taps, std::span<const float> column_taps, std::vector<float>& sum) {
+                   std::span<const float> row_taps, std::span<const float> column_taps,
+                   std::vector<float>& sum) {
     const std::size_t w = width, h = height;
-    assert(in.size() == w * h && sum.size() == in.size() && row_taps.size() % 2 == 1 && column_taps.size() % 2 == 1);
+    assert(in.size() == w * h && sum.size() == in.size() && row_taps.size() % 2 == 1 &&
+           column_taps.size() % 2 == 1);
     const std::size_t row_radius = row_taps.size() / 2, column_radius = column_taps.size() / 2;
     std::vector<float> rows(in.size(), 0.0f), padded(w + 2 * row_radius);
     for (std::size_t y = 0; y < h; ++y) {

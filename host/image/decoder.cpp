@@ -39,12 +39,14 @@ Decoder::Decoder(std::span<const std::byte> bytes, std::string name, std::uint64
     input_ = OIIO::ImageInput::create(plugin(claim_.format));
     if (!input_) {
         OIIO::geterror();
-        throw Error(fmt::format("{}: this build of OpenImageIO cannot read {} files", name_, plugin(claim_.format)));
+        throw Error(
+            fmt::format("{}: this build of OpenImageIO cannot read {} files", name_, plugin(claim_.format)));
     }
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     if (!input_->set_ioproxy(&source_) || !input_->open(name_, spec_, hints)) fail();
-    const bool as_claimed = spec_.width == static_cast<int>(width()) && spec_.height == static_cast<int>(height());
+    const bool as_claimed =
+        spec_.width == static_cast<int>(width()) && spec_.height == static_cast<int>(height());
     if (!as_claimed || spec_.nchannels <= 0 || spec_.depth > 1 || spec_.deep)
         throw Error(fmt::format("{}: is not a flat two-dimensional image", name_));
 }
@@ -57,7 +59,8 @@ void Decoder::fail() const {
     std::string message = input_->geterror();
     while (!message.empty() && (message.back() == '\n' || message.back() == ' ')) message.pop_back();
     std::replace(message.begin(), message.end(), '\n', ' ');
-    throw Error(fmt::format("{}: cannot be decoded: {}", name_, message.empty() ? "corrupt or truncated" : message));
+    throw Error(
+        fmt::format("{}: cannot be decoded: {}", name_, message.empty() ? "corrupt or truncated" : message));
 }
 
 std::uint32_t Decoder::band_height() const {
@@ -67,10 +70,11 @@ std::uint32_t Decoder::band_height() const {
 
 void Decoder::read_band(std::uint32_t begin, std::uint32_t end, OIIO::TypeDesc type, void* values) {
     const int first = spec_.y + static_cast<int>(begin), last = spec_.y + static_cast<int>(end);
-    const bool good = spec_.tile_width > 0
-                          ? input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, first, last, spec_.z,
-                                               spec_.z + 1, 0, spec_.nchannels, type, values)
-                          : input_->read_scanlines(0, 0, first, last, spec_.z, 0, spec_.nchannels, type, values);
+    const bool good =
+        spec_.tile_width > 0
+            ? input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, first, last, spec_.z, spec_.z + 1, 0,
+                                 spec_.nchannels, type, values)
+            : input_->read_scanlines(0, 0, first, last, spec_.z, 0, spec_.nchannels, type, values);
     if (!good) fail();
 }
 

@@ -1,5 +1,6 @@
-// OpenImageIO's readers behind one door, for the rest of this room: the size is checked before anything is allocated,
-// rows come in bands (so that memory grows only as data is really there), and every failure is an Error of one line.
+// OpenImageIO's readers behind one door, for the rest of this room: the size is checked before anything is
+// allocated, rows come in bands (so that memory grows only as data is really there), and every failure is an
+// Error of one line.
 #pragma once
 
 #include "image/format.hpp"
@@ -31,8 +32,7 @@ class Decoder {
     const OIIO::ImageSpec& spec() const { return spec_; }
 
     // Reads all rows from the top, all channels interleaved as T, in bands: on_rows(first row, values).
-    template <class T>
-    void read(const std::function<void(std::uint32_t, std::span<const T>)>& on_rows) {
+    template <class T> void read(const std::function<void(std::uint32_t, std::span<const T>)>& on_rows) {
         const std::uint32_t step = band_height();
         std::vector<T> band;
         for (std::uint32_t y = 0; y < height(); y += step) {

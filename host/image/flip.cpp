@@ -16,7 +16,8 @@ namespace {
 constexpr float q_color = 0.7f, p_color = 0.4f, p_target = 0.95f, q_feature = 0.5f;
 constexpr double feature_width_degrees = 0.082;
 
-// Conversions between linear RGB, the opponent space YCxCz (linear in XYZ, in which filters may average) and L*a*b*.
+// Conversions between linear RGB, the opponent space YCxCz (linear in XYZ, in which filters may average) and
+// L*a*b*.
 class ColorSpaces {
   public:
     ColorSpaces() {
@@ -63,11 +64,13 @@ struct Sensitivity {
     double a, b;
 };
 
-// The taps of one of the Gaussians whose sum, normalized, is a channel's filter. Each Gaussian separates into equal
-// rows and columns, so a tap is the root of the weight.
-std::vector<std::vector<float>> sensitivity_taps(std::span<const Sensitivity> gaussians, double pixels_per_degree) {
+// The taps of one of the Gaussians whose sum, normalized, is a channel's filter. Each Gaussian separates into
+// equal rows and columns, so a tap is the root of the weight.
+std::vector<std::vector<float>> sensitivity_taps(std::span<const Sensitivity> gaussians,
+                                                 double pixels_per_degree) {
     constexpr double pi = 3.14159265358979323846;
-    constexpr double widest = 0.04; // the largest b of all channels sets the radius: three standard deviations
+    constexpr double widest =
+        0.04; // the largest b of all channels sets the radius: three standard deviations
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
     std::vector<std::vector<double>> taps;
     double total = 0;
@@ -103,7 +106,8 @@ FeatureTaps feature_taps(double pixels_per_degree) {
         for (int i = -radius; i <= radius; ++i) (weight(i) > 0 ? positive : negative) += std::abs(weight(i));
         std::vector<float> taps;
         for (int i = -radius; i <= radius; ++i)
-            taps.push_back(static_cast<float>(weight(i) / (weight(i) > 0 ? positive : std::max(negative, DBL_MIN))));
+            taps.push_back(
+                static_cast<float>(weight(i) / (weight(i) > 0 ? positive : std::max(negative, DBL_MIN))));
         return taps;
     };
     const auto gaussian = [=](int i) { return std::exp(-i * i / (2 * deviation * deviation)); };
@@ -183,11 +187,12 @@ class Flip {
     float largest_; // colour error between the display's green and blue
 };
 
-// The fit of ACES by Krzysztof Narkowicz (2015) with exposure 0.6, as HDR-FLIP uses it: (n2 x^2 + n1 x) / (d2 x^2 + d1 x + d0).
-constexpr float n2 = 0.6f * 0.6f * 2.51f, n1 = 0.6f * 0.03f, d2 = 0.6f * 0.6f * 2.43f, d1 = 0.6f * 0.59f, d0 = 0.14f;
+// The fit of ACES by Krzysztof Narkowicz (2015) with exposure 0.6, as HDR-FLIP uses it: (n2 x^2 + n1 x) / (d2
+// x^2 + d1 x + d0).
+constexpr float n2 = 0.6f * 0.6f * 2.51f, n1 = 0.6f * 0.03f, d2 = 0.6f * 0.6f * 2.43f, d1 = 0.6f * 0.59f,
+                d0 = 0.14f;
 
-template <class Curve>
-ColorPlanes mapped(const ColorPlanes& image, Curve&& curve) {
+template <class Curve> ColorPlanes mapped(const ColorPlanes& image, Curve&& curve) {
     ColorPlanes result = image;
     for (Plane& plane : result.channel)
         for (float& value : plane) value = curve(value);
@@ -233,10 +238,12 @@ Plane flip_hdr(const ColorPlanes& reference, const ColorPlanes& test, float pixe
     const ExposureRange range = flip_exposures(reference);
     Plane worst(reference.channel[0].size(), 0.0f);
     for (int e = 0; e < range.count; ++e) {
-        const float step = range.count > 1 ? (range.stop - range.start) / static_cast<float>(range.count - 1) : 0;
+        const float step =
+            range.count > 1 ? (range.stop - range.start) / static_cast<float>(range.count - 1) : 0;
         const float scale = std::exp2(range.start + step * static_cast<float>(e));
         const auto curve = [scale](float value) {
-            const float x = std::clamp(value * scale, 0.0f, 1e6f); // saturated long before; x * x stays finite
+            const float x =
+                std::clamp(value * scale, 0.0f, 1e6f); // saturated long before; x * x stays finite
             return std::clamp(x * (n2 * x + n1) / (x * (d2 * x + d1) + d0), 0.0f, 1.0f);
         };
         const Percept a = flip.perceive(mapped(reference, curve)), b = flip.perceive(mapped(test, curve));

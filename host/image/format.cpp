@@ -35,7 +35,8 @@ class Bytes {
     // The text from `at` up to `end`, which is not part of it.
     std::string_view text(std::size_t at, char end) const {
         const auto* first = reinterpret_cast<const char*>(bytes_.data());
-        const std::string_view rest = at < bytes_.size() ? std::string_view(first + at, bytes_.size() - at) : "";
+        const std::string_view rest =
+            at < bytes_.size() ? std::string_view(first + at, bytes_.size() - at) : "";
         const std::size_t length = rest.find(end);
         if (length == std::string_view::npos) throw_truncated();
         return rest.substr(0, length);
@@ -64,8 +65,8 @@ Claim inspect_png(const Bytes& bytes) {
     return {Format::png, bytes.big(16, 4), bytes.big(20, 4)};
 }
 
-// Walks the marker segments up to the frame header (SOF), then checks that an end of image (EOI) follows the scan:
-// decoders fill what is missing with grey.
+// Walks the marker segments up to the frame header (SOF), then checks that an end of image (EOI) follows the
+// scan: decoders fill what is missing with grey.
 Claim inspect_jpeg(const Bytes& bytes) {
     std::optional<Claim> claim;
     for (std::size_t at = 2;;) {
@@ -75,7 +76,8 @@ Claim inspect_jpeg(const Bytes& bytes) {
             ++at;
             continue;
         }
-        const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        const bool frame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (frame) claim = {Format::jpeg, bytes.big(at + 7, 2), bytes.big(at + 5, 2)};
         const std::uint64_t length = bytes.big(at + 2, 2);
         if (length < 2) bytes.throw_corrupt("JPEG segment without length");
@@ -152,20 +154,26 @@ Claim inspect(std::span<const std::byte> data, std::string_view name) {
     const Bytes bytes(data, name);
     if (data.empty()) throw Error(fmt::format("{}: is empty", name));
     Claim claim;
-    if (bytes.has(0, "\x89PNG\r\n\x1a\n")) claim = inspect_png(bytes);
-    else if (bytes.has(0, "\xff\xd8\xff")) claim = inspect_jpeg(bytes);
-    else if (bytes.has(0, "RIFF") && bytes.has(8, "WEBP")) claim = inspect_webp(bytes);
-    else if (bytes.has(0, "\x76\x2f\x31\x01")) claim = inspect_exr(bytes);
-    else if (bytes.has(0, "#?RADIANCE") || bytes.has(0, "#?RGBE")) claim = inspect_hdr(bytes);
-    else throw Error(fmt::format("{}: is not a PNG, JPEG, WebP, OpenEXR or Radiance HDR image", name));
+    if (bytes.has(0, "\x89PNG\r\n\x1a\n"))
+        claim = inspect_png(bytes);
+    else if (bytes.has(0, "\xff\xd8\xff"))
+        claim = inspect_jpeg(bytes);
+    else if (bytes.has(0, "RIFF") && bytes.has(8, "WEBP"))
+        claim = inspect_webp(bytes);
+    else if (bytes.has(0, "\x76\x2f\x31\x01"))
+        claim = inspect_exr(bytes);
+    else if (bytes.has(0, "#?RADIANCE") || bytes.has(0, "#?RGBE"))
+        claim = inspect_hdr(bytes);
+    else
+        throw Error(fmt::format("{}: is not a PNG, JPEG, WebP, OpenEXR or Radiance HDR image", name));
     if (claim.width == 0 || claim.height == 0)
         throw Error(fmt::format("{}: has no pixels ({} x {})", name, claim.width, claim.height));
-    // Deflate packs at best 258 bytes into 2 bits (RFC 1951), 1032 to 1; a JPEG holds at most 64 pixels in a bit, HDR's
-    // run lengths 16 in a byte. A one-bit PNG packs eight pixels into each of those bytes.
+    // Deflate packs at best 258 bytes into 2 bits (RFC 1951), 1032 to 1; a JPEG holds at most 64 pixels in a
+    // bit, HDR's run lengths 16 in a byte. A one-bit PNG packs eight pixels into each of those bytes.
     const std::uint64_t most = data.size() * 1032 * (claim.format == Format::png ? 8 : 1);
     if (claim.bounded && claim.height > most / claim.width)
-        throw Error(fmt::format("{}: claims {} x {} pixels, which its {} bytes cannot hold", name, claim.width,
-                                claim.height, data.size()));
+        throw Error(fmt::format("{}: claims {} x {} pixels, which its {} bytes cannot hold", name,
+                                claim.width, claim.height, data.size()));
     return claim;
 }
 

@@ -1,5 +1,5 @@
-// The colour map magma (Stefan van der Walt and Nathaniel Smith, 2015, CC0), every fifteenth of its 256 entries as
-// 8-bit sRGB; straight lines between them stay within 3 of 255 of the rest.
+// The colour map magma (Stefan van der Walt and Nathaniel Smith, 2015, CC0), every fifteenth of its 256
+// entries as 8-bit sRGB; straight lines between them stay within 3 of 255 of the rest.
 #include "image/compare.hpp"
 #include "image/srgb.hpp"
 
@@ -10,9 +10,24 @@ namespace ajar {
 namespace {
 
 constexpr std::array<std::array<std::uint8_t, 3>, 18> magma{{
-    {0, 0, 4},      {9, 7, 32},     {26, 16, 66},   {49, 17, 101},   {74, 16, 121},   {98, 25, 128},
-    {121, 34, 130}, {145, 43, 129}, {170, 51, 125}, {194, 59, 117},  {217, 70, 107},  {236, 88, 96},
-    {247, 114, 92}, {252, 142, 100}, {254, 170, 116}, {254, 198, 138}, {253, 226, 163}, {252, 253, 191},
+    {0, 0, 4},
+    {9, 7, 32},
+    {26, 16, 66},
+    {49, 17, 101},
+    {74, 16, 121},
+    {98, 25, 128},
+    {121, 34, 130},
+    {145, 43, 129},
+    {170, 51, 125},
+    {194, 59, 117},
+    {217, 70, 107},
+    {236, 88, 96},
+    {247, 114, 92},
+    {252, 142, 100},
+    {254, 170, 116},
+    {254, 198, 138},
+    {253, 226, 163},
+    {252, 253, 191},
 }};
 
 } // namespace

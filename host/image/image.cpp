@@ -12,9 +12,7 @@ const Layer* Image::find(std::string_view name) const {
     return nullptr;
 }
 
-Layer* Image::find(std::string_view name) {
-    return const_cast<Layer*>(std::as_const(*this).find(name));
-}
+Layer* Image::find(std::string_view name) { return const_cast<Layer*>(std::as_const(*this).find(name)); }
 
 Layer& Image::add(std::string name, std::vector<std::string> channel_names) {
     Layer& layer = layers.emplace_back();
@@ -27,10 +25,13 @@ Layer& Image::add(std::string name, std::vector<std::string> channel_names) {
 
 const Layer& beauty(const Image& image, std::string_view name) {
     const Layer* layer = image.find("");
-    if (layer && layer->channels >= 3 && layer->pixels.size() == image.pixel_count() * layer->channels) return *layer;
+    if (layer && layer->channels >= 3 && layer->pixels.size() == image.pixel_count() * layer->channels)
+        return *layer;
     std::string others;
-    for (const Layer& other : image.layers) others += fmt::format("{}'{}'", others.empty() ? "" : ", ", other.name);
-    throw Error(fmt::format("{}: has no plain R, G, B channels (its layers: {})", name, others.empty() ? "none" : others));
+    for (const Layer& other : image.layers)
+        others += fmt::format("{}'{}'", others.empty() ? "" : ", ", other.name);
+    throw Error(fmt::format("{}: has no plain R, G, B channels (its layers: {})", name,
+                            others.empty() ? "none" : others));
 }
 
 } // namespace ajar

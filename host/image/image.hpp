@@ -1,6 +1,7 @@
-// A float image of named layers: what the film produces, the files hold and the comparison reads. The beauty layer is
-// named "" and has the channels R, G, B, A: linear Rec. 709 radiance, premultiplied by alpha (OpenEXR's convention).
-// Other layers: "variance" (R, G, B: variance of the pixel's mean), "albedo", "normal", "position", "depth" (Z), ...
+// A float image of named layers: what the film produces, the files hold and the comparison reads. The beauty
+// layer is named "" and has the channels R, G, B, A: linear Rec. 709 radiance, premultiplied by alpha
+// (OpenEXR's convention). Other layers: "variance" (R, G, B: variance of the pixel's mean), "albedo",
+// "normal", "position", "depth" (Z), ...
 #pragma once
 
 #include <cstddef>
@@ -17,12 +18,13 @@ struct Layer {
     std::uint32_t channels = 0;
     std::vector<std::string> channel_names; // one per channel, without the layer's name
     std::vector<float> pixels;              // width * height * channels, interleaved, row 0 at the top
-    // Largest relative error of a stored value: 2^-24 for 32-bit floats, 2^-11 for half floats. The comparison allows it.
+    // Largest relative error of a stored value: 2^-24 for 32-bit floats, 2^-11 for half floats. The
+    // comparison allows it.
     float rounding = 0x1p-24f;
 };
 
-// What the beauty layer's numbers mean: radiance without bound, or what an 8- or 16-bit file shows (in [0, 1]; the sRGB
-// curve is undone).
+// What the beauty layer's numbers mean: radiance without bound, or what an 8- or 16-bit file shows (in [0,
+// 1]; the sRGB curve is undone).
 enum class Range : std::uint8_t { scene, display };
 
 struct Image {

@@ -23,13 +23,14 @@ struct Place {
     std::string layer, channel;
 };
 
-// "albedo.R" is channel R of layer albedo. Of the unnamed channels R, G, B, A and Y are the beauty's; Z is depth, and any
-// other is a layer of its own.
+// "albedo.R" is channel R of layer albedo. Of the unnamed channels R, G, B, A and Y are the beauty's; Z is
+// depth, and any other is a layer of its own.
 Place place(const std::string& file_channel) {
     const std::size_t dot = file_channel.rfind('.');
     if (dot != std::string::npos) return {file_channel.substr(0, dot), file_channel.substr(dot + 1)};
     if (file_channel == "Z") return {"depth", "Z"};
-    const bool color = file_channel.size() == 1 && std::string_view("RGBAY").find(file_channel) != std::string::npos;
+    const bool color =
+        file_channel.size() == 1 && std::string_view("RGBAY").find(file_channel) != std::string::npos;
     return {color ? "" : file_channel, file_channel};
 }
 
@@ -46,7 +47,8 @@ struct Route {
 };
 
 std::vector<Route> plan_layers(const OIIO::ImageSpec& spec, Image& image) {
-    std::map<std::string, std::vector<std::pair<std::string, std::size_t>>> found; // layer: channels, place in file
+    std::map<std::string, std::vector<std::pair<std::string, std::size_t>>>
+        found; // layer: channels, place in file
     for (std::size_t c = 0; c < spec.channelnames.size(); ++c) {
         const Place to = place(spec.channelnames[c]);
         found[to.layer].emplace_back(to.channel, c);
@@ -69,13 +71,15 @@ std::vector<Route> plan_layers(const OIIO::ImageSpec& spec, Image& image) {
     return routes;
 }
 
-void append_rows(Image& image, const std::vector<Route>& routes, std::uint32_t rows, std::span<const float> values) {
+void append_rows(Image& image, const std::vector<Route>& routes, std::uint32_t rows,
+                 std::span<const float> values) {
     const std::size_t count = std::size_t{rows} * image.width;
     for (Layer& layer : image.layers) layer.pixels.resize(layer.pixels.size() + count * layer.channels);
     for (std::size_t c = 0; c < routes.size(); ++c) {
         Layer& layer = image.layers[routes[c].layer];
         float* to = layer.pixels.data() + layer.pixels.size() - count * layer.channels + routes[c].channel;
-        for (std::size_t i = 0; i < count; ++i) to[i * layer.channels] = values[i * routes.size() + c] * routes[c].scale;
+        for (std::size_t i = 0; i < count; ++i)
+            to[i * layer.channels] = values[i * routes.size() + c] * routes[c].scale;
     }
 }
 
@@ -87,9 +91,9 @@ void complete_beauty(Image& image) {
     const auto index = [&](const char* name) {
         return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     };
-    const std::array<std::size_t, 4> from =
-        index("R") < names.size() ? std::array{index("R"), index("G"), index("B"), index("A")}
-                                  : std::array{index("Y"), index("Y"), index("Y"), index("A")};
+    const std::array<std::size_t, 4> from = index("R") < names.size()
+                                                ? std::array{index("R"), index("G"), index("B"), index("A")}
+                                                : std::array{index("Y"), index("Y"), index("Y"), index("A")};
     if (std::any_of(from.begin(), from.begin() + 3, [&](std::size_t c) { return c == names.size(); })) {
         layer->name = "(incomplete)"; // an R without G, for example: no beauty to speak of
         return;
@@ -116,8 +120,8 @@ void read_metadata(const OIIO::ImageSpec& spec, Image& image) {
 Image read_scene(Decoder& decoder, const std::string& name) {
     Image image{decoder.width(), decoder.height(), {}, {}, Range::scene};
     if (image.pixel_count() > max_values / decoder.channels())
-        throw Error(fmt::format("{}: {} x {} pixels of {} channels are too many", name, image.width, image.height,
-                                decoder.channels()));
+        throw Error(fmt::format("{}: {} x {} pixels of {} channels are too many", name, image.width,
+                                image.height, decoder.channels()));
     const std::vector<Route> routes = plan_layers(decoder.spec(), image);
     const std::uint32_t width = image.width * decoder.channels();
     decoder.read<float>([&](std::uint32_t, std::span<const float> values) {
@@ -129,8 +133,7 @@ Image read_scene(Decoder& decoder, const std::string& name) {
 }
 
 // Spreads the one to four channels of a PNG, JPEG or WebP pixel to RGBA.
-template <class T>
-std::array<T, 4> spread(const T* values, std::uint32_t channels, T opaque) {
+template <class T> std::array<T, 4> spread(const T* values, std::uint32_t channels, T opaque) {
     switch (channels) {
     case 1: return {values[0], values[0], values[0], opaque};
     case 2: return {values[0], values[0], values[0], values[1]};
@@ -168,9 +171,7 @@ Image read_webp(std::span<const std::byte> bytes, const std::string& name) {
     return image;
 }
 
-bool is_scene(Format format) {
-    return format == Format::exr || format == Format::hdr;
-}
+bool is_scene(Format format) { return format == Format::exr || format == Format::hdr; }
 
 DecodedImage decode_with(Decoder& decoder) {
     DecodedImage image{decoder.width(), decoder.height(), {}};
@@ -183,7 +184,8 @@ DecodedImage decode_with(Decoder& decoder) {
     };
     if (decoder.spec().format == OIIO::TypeDesc::UINT16)
         decoder.read<std::uint16_t>([&](std::uint32_t, std::span<const std::uint16_t> v) { append(v); });
-    else decoder.read<std::uint8_t>([&](std::uint32_t, std::span<const std::uint8_t> v) { append(v); });
+    else
+        decoder.read<std::uint8_t>([&](std::uint32_t, std::span<const std::uint8_t> v) { append(v); });
     return image;
 }
 
@@ -208,7 +210,8 @@ DecodedImage decode_rgba8(std::span<const std::byte> bytes, const std::string& n
     DecodedImage image;
     guard_decoding(name, [&] {
         Decoder decoder(bytes, name, limit);
-        if (is_scene(decoder.format())) throw Error(fmt::format("{}: is not a PNG, JPEG or WebP image", name));
+        if (is_scene(decoder.format()))
+            throw Error(fmt::format("{}: is not a PNG, JPEG or WebP image", name));
         image = decode_with(decoder);
         if (decoder.format() != Format::webp) return;
         const std::vector<std::byte> opaque = opaque_webp(bytes, name);

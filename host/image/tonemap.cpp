@@ -11,16 +11,15 @@
 namespace ajar {
 namespace {
 
-glm::vec3 linear(const glm::vec3& radiance) {
-    return glm::min(radiance, glm::vec3(1));
-}
+glm::vec3 linear(const glm::vec3& radiance) { return glm::min(radiance, glm::vec3(1)); }
 
-// AgX, Troy Sobotka 2022: inset towards grey, log2 from -12.47393 to 4.026069 stops, sigmoid, outset. The sigmoid is the
-// sixth-order polynomial of Benjamin Wrensch, "Minimal AgX Implementation", 2023; the matrices are AgX's for Rec. 709 in
-// and out. The result is encoded for a display of exponent 2.2, which is undone here.
+// AgX, Troy Sobotka 2022: inset towards grey, log2 from -12.47393 to 4.026069 stops, sigmoid, outset. The
+// sigmoid is the sixth-order polynomial of Benjamin Wrensch, "Minimal AgX Implementation", 2023; the matrices
+// are AgX's for Rec. 709 in and out. The result is encoded for a display of exponent 2.2, which is undone
+// here.
 glm::vec3 agx(const glm::vec3& radiance) {
     const glm::mat3 inset(0.842479062253094f, 0.0423282422610123f, 0.0423756549057051f, // columns
-                          0.0784335999999992f, 0.878468636469772f, 0.0784336f,           //
+                          0.0784335999999992f, 0.878468636469772f, 0.0784336f,          //
                           0.0792237451477643f, 0.0791661274605434f, 0.879142973793104f);
     const glm::mat3 outset(1.19687900512017f, -0.0528968517574562f, -0.0529716355144438f, //
                            -0.0980208811401368f, 1.15190312990417f, -0.0980434501171241f, //
@@ -33,8 +32,8 @@ glm::vec3 agx(const glm::vec3& radiance) {
     return glm::pow(glm::clamp(outset * curve, 0.0f, 1.0f), glm::vec3(2.2f));
 }
 
-// ACES 1.0 reference rendering and sRGB output transform, as fitted by Stephen Hill, 2016 (in the code of "Baking Lab",
-// Pettineo and Neubelt): Rec. 709 to a desaturated AP1, a rational curve, and back.
+// ACES 1.0 reference rendering and sRGB output transform, as fitted by Stephen Hill, 2016 (in the code of
+// "Baking Lab", Pettineo and Neubelt): Rec. 709 to a desaturated AP1, a rational curve, and back.
 glm::vec3 aces(const glm::vec3& radiance) {
     const glm::mat3 input(0.59719f, 0.07600f, 0.02840f, // columns
                           0.35458f, 0.90834f, 0.13383f, //
@@ -44,12 +43,13 @@ glm::vec3 aces(const glm::vec3& radiance) {
                            -0.07367f, -0.00605f, 1.07602f);
     // The curve is flat long before; the bound keeps x * x finite.
     const glm::vec3 x = glm::min(input * radiance, glm::vec3(1e6f));
-    const glm::vec3 curve = (x * (x + 0.0245786f) - 0.000090537f) / (x * (0.983729f * x + 0.4329510f) + 0.238081f);
+    const glm::vec3 curve =
+        (x * (x + 0.0245786f) - 0.000090537f) / (x * (0.983729f * x + 0.4329510f) + 0.238081f);
     return glm::clamp(output * curve, 0.0f, 1.0f);
 }
 
-// Khronos PBR Neutral, 2024: colours below 0.8 - F90 keep their hue and saturation and lose only the Fresnel offset of
-// a dielectric; above, the peak is compressed towards 1 and desaturated.
+// Khronos PBR Neutral, 2024: colours below 0.8 - F90 keep their hue and saturation and lose only the Fresnel
+// offset of a dielectric; above, the peak is compressed towards 1 and desaturated.
 glm::vec3 neutral(const glm::vec3& radiance) {
     constexpr float f90 = 0.04f, start = 0.8f - f90, desaturation = 0.15f;
     const float low = std::min({radiance.x, radiance.y, radiance.z});
@@ -75,9 +75,7 @@ float sanitize(float value) {
 
 } // namespace
 
-std::span<const TonemapOperator> tonemap_operators() {
-    return operators;
-}
+std::span<const TonemapOperator> tonemap_operators() { return operators; }
 
 const TonemapOperator& find_tonemap(std::string_view name) {
     std::string names;
@@ -90,7 +88,8 @@ const TonemapOperator& find_tonemap(std::string_view name) {
 
 glm::vec3 Tonemap::operator()(const glm::vec3& radiance) const {
     const float scale = std::exp2(exposure);
-    const glm::vec3 exposed(sanitize(radiance.x * scale), sanitize(radiance.y * scale), sanitize(radiance.z * scale));
+    const glm::vec3 exposed(sanitize(radiance.x * scale), sanitize(radiance.y * scale),
+                            sanitize(radiance.z * scale));
     return srgb_encode(op->apply(exposed));
 }
 

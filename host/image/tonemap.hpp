@@ -1,5 +1,6 @@
-// From scene radiance to what a display shows: a table of operators, each linear Rec. 709 in and display-linear Rec. 709
-// in [0, 1] out. To add one: a function and a row in tonemap.cpp; --tonemap and --help read the table.
+// From scene radiance to what a display shows: a table of operators, each linear Rec. 709 in and
+// display-linear Rec. 709 in [0, 1] out. To add one: a function and a row in tonemap.cpp; --tonemap and
+// --help read the table.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +11,7 @@ namespace ajar {
 
 struct TonemapOperator {
     const char* name;
-    const char* help; // one line
+    const char* help;                              // one line
     glm::vec3 (*apply)(const glm::vec3& radiance); // non-negative and finite in
 };
 

@@ -44,7 +44,8 @@ std::vector<std::byte> opaque_webp(std::span<const std::byte> bytes, std::string
         if (type == "ALPH") alpha_chunk = true;
         if (type == "VP8 ") return alpha_chunk ? wrap(type, data) : std::vector<std::byte>{};
         if (type == "VP8L" && size > 5) {
-            // After the signature byte: 14 bits width - 1, 14 bits height - 1, "alpha is used", 3 bits version.
+            // After the signature byte: 14 bits width - 1, 14 bits height - 1, "alpha is used", 3 bits
+            // version.
             if ((data[4] & std::byte{0x10}) == std::byte{0}) return {};
             std::vector<std::byte> file = wrap(type, data);
             file[20 + 4] &= ~std::byte{0x10};

@@ -32,7 +32,8 @@ const Target& find_target(const std::filesystem::path& path) {
         if (extension == target.extension) return target;
         known += fmt::format("{}{}", known.empty() ? "" : " ", target.extension);
     }
-    throw Error(fmt::format("{}: cannot be written: the extension '{}' is none of {}", path.string(), extension, known));
+    throw Error(fmt::format("{}: cannot be written: the extension '{}' is none of {}", path.string(),
+                            extension, known));
 }
 
 // Encodes into memory, so that a full disk is noticed by one writer, write_file.
@@ -40,7 +41,8 @@ void encode(const std::filesystem::path& path, const char* plugin, OIIO::ImageSp
             const void* values) {
     OIIO::Filesystem::IOVecOutput bytes;
     const auto output = OIIO::ImageOutput::create(plugin);
-    if (!output) throw Error(fmt::format("{}: this build of OpenImageIO cannot write {}", path.string(), plugin));
+    if (!output)
+        throw Error(fmt::format("{}: this build of OpenImageIO cannot write {}", path.string(), plugin));
     const bool good = output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
                       output->write_image(type, values) && output->close();
     std::string message = output->geterror();
@@ -55,7 +57,8 @@ bool needs_full_floats(std::string_view layer) {
 }
 
 void write_exr(const std::filesystem::path& path, const Image& image, const WriteOptions& options) {
-    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 0, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), 0,
+                         OIIO::TypeDesc::FLOAT);
     for (const Layer& layer : image.layers)
         for (const std::string& channel : layer.channel_names) {
             const bool full = options.exr_floats == ExrFloats::full || needs_full_floats(layer.name);
@@ -136,9 +139,12 @@ void write_image(const std::filesystem::path& path, const Image& image, const Wr
     if (image.pixel_count() == 0 || image.layers.empty())
         throw Error(fmt::format("{}: cannot be written: the image is empty", path.string()));
     const std::string_view plugin = target.plugin;
-    if (plugin == "openexr") write_exr(path, image, options);
-    else if (plugin == "hdr") write_hdr(path, image);
-    else write_display(path, target.plugin, image, options);
+    if (plugin == "openexr")
+        write_exr(path, image, options);
+    else if (plugin == "hdr")
+        write_hdr(path, image);
+    else
+        write_display(path, target.plugin, image, options);
 }
 
 void check_output_name(const std::filesystem::path& path) {

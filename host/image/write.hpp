@@ -1,5 +1,5 @@
-// Pictures to files, the format by the name's extension. The same pixels and metadata give the same bytes: no clock, no
-// host, no software name. A file is replaced in one step or left as it was.
+// Pictures to files, the format by the name's extension. The same pixels and metadata give the same bytes: no
+// clock, no host, no software name. A file is replaced in one step or left as it was.
 #pragma once
 
 #include "image/image.hpp"
@@ -20,14 +20,14 @@ struct WriteOptions {
     int jpeg_quality = 95; // 1 to 100, colours not subsampled
 };
 
-// .exr: one part, scan lines, ZIP, every layer as channels "layer.R", metadata as text attributes. With half floats the
-//       layers that are ids, counts, positions or variances stay at 32 bits: "variance", "position", "depth", "samples"
-//       and those ending in "_id". Values beyond half's 65504 are cut off there.
-// .png, .jpg, .jpeg: the beauty layer, tone-mapped, sRGB, 8 bits.   .hdr: the beauty layer, RGBE.
+// .exr: one part, scan lines, ZIP; every layer as channels "layer.R", metadata as text attributes. With half
+// floats the layers "variance", "position", "depth", "samples" and those ending in "_id" stay at 32 bits, and
+// values beyond half's 65504 are cut off there.
+// .png, .jpg, .jpeg: the beauty layer, tone-mapped, sRGB, 8 bits. .hdr: the beauty layer, RGBE.
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
 
-// Throws the Error that write_image would, as far as the name can tell: to be called before hours of rendering. The
-// extension is known, the folder exists and is writable, the name is not a folder's.
+// Throws the Error that write_image would, as far as the name can tell: to be called before hours of
+// rendering. The extension is known, the folder exists and is writable, the name is not a folder's.
 void check_output_name(const std::filesystem::path& path);
 
 } // namespace ajar

@@ -15,7 +15,8 @@ struct Sums {
     double z() const {
         const double beyond = std::max(0.0, std::abs(difference) - slack);
         if (beyond == 0) return 0;
-        const double size = variance > 0 ? beyond / std::sqrt(variance) : std::numeric_limits<double>::infinity();
+        const double size =
+            variance > 0 ? beyond / std::sqrt(variance) : std::numeric_limits<double>::infinity();
         return std::copysign(size, difference);
     }
 };
@@ -28,9 +29,7 @@ double rounding(const Layer& layer, float value) {
 
 } // namespace
 
-double two_sided_p(double z) {
-    return std::erfc(std::abs(z) / std::sqrt(2.0));
-}
+double two_sided_p(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
 
 double sidak(double p, std::uint64_t tests) {
     return -std::expm1(static_cast<double>(tests) * std::log1p(-p));
@@ -60,8 +59,10 @@ ZTest z_test(const Image& a, const Image& b, BlockSize block, double significanc
                 Sums& sum = sums[3 * (x / block.width) + c];
                 sum.difference += double{pa} - double{pb};
                 sum.variance += noise;
-                if (noise > rounded * rounded) sum.variance += rounded * rounded / 3; // uniform in +-rounded
-                else sum.slack += rounded;
+                if (noise > rounded * rounded)
+                    sum.variance += rounded * rounded / 3; // uniform in +-rounded
+                else
+                    sum.slack += rounded;
             }
         if ((y + 1) % block.height != 0 && y + 1 != a.height) continue;
         for (std::size_t s = 0; s < sums.size(); ++s) {

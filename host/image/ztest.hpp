@@ -1,7 +1,7 @@
-// Are two noisy images of the same expectation? Both carry a layer "variance" (of each pixel's mean). Over a block of
-// pixels D = sum(a - b) has variance V = sum(va + vb), so z = D / sqrt(V) is standard normal if the pixels are
-// independent and many samples lie behind a block. Every block and channel is a test; Sidak's correction (Zbynek Sidak,
-// 1967) makes one verdict of them.
+// Are two noisy images of the same expectation? Both carry a layer "variance" (of each pixel's mean). Over a
+// block of pixels D = sum(a - b) has variance V = sum(va + vb), so z = D / sqrt(V) is standard normal if the
+// pixels are independent and many samples lie behind a block. Every block and channel is a test; Sidak's
+// correction (Zbynek Sidak, 1967) makes one verdict of them.
 #pragma once
 
 #include "image/image.hpp"
@@ -34,9 +34,9 @@ double sidak(double p, std::uint64_t tests);
 // The level for each of `tests` that makes `significance` for all: 1 - (1 - significance)^(1 / tests).
 double sidak_level(double significance, std::uint64_t tests);
 
-// Both images have the beauty layer and "variance" with three channels, finite and of equal size. What the files'
-// floats cannot hold (Layer::rounding) is no difference: where a pixel's noise is smaller than its rounding the
-// rounding is taken off |D|, since equal pixels round alike; elsewhere it counts as noise.
+// Both images have the beauty layer and "variance" with three channels, finite and of equal size. What the
+// files' floats cannot hold (Layer::rounding) is no difference: where a pixel's noise is smaller than its
+// rounding the rounding is taken off |D|, since equal pixels round alike; elsewhere it counts as noise.
 ZTest z_test(const Image& a, const Image& b, BlockSize block, double significance);
 
 } // namespace ajar

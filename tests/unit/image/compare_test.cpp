@@ -53,7 +53,8 @@ TEST(Comparison, FindsTheWorstPixel) {
 }
 
 TEST(Comparison, OfEqualImagesIsPerfect) {
-    const Image image = make_image(30, 20, [](std::uint32_t x, std::uint32_t y) { return glm::vec3(x, y, x + y); });
+    const Image image =
+        make_image(30, 20, [](std::uint32_t x, std::uint32_t y) { return glm::vec3(x, y, x + y); });
     const Comparison comparison = compare(image, image);
     EXPECT_EQ(comparison.rmse, 0);
     EXPECT_EQ(comparison.relmse, 0);
@@ -64,8 +65,10 @@ TEST(Comparison, OfEqualImagesIsPerfect) {
 TEST(Comparison, NamesTheFileAndPixelOfWhatIsNotFinite) {
     Image good = flat(5, 4, {1, 1, 1}), bad = good;
     bad.layers[0].pixels[4 * (2 * 5 + 3) + 1] = NAN;
-    const std::string error = error_of([&] { compare(good, bad, {.test_name = "a.exr", .reference_name = "b.exr"}); });
-    for (const char* part : {"b.exr", "(3, 2)", "G", "nan"}) EXPECT_NE(error.find(part), std::string::npos) << error;
+    const std::string error =
+        error_of([&] { compare(good, bad, {.test_name = "a.exr", .reference_name = "b.exr"}); });
+    for (const char* part : {"b.exr", "(3, 2)", "G", "nan"})
+        EXPECT_NE(error.find(part), std::string::npos) << error;
     EXPECT_EQ(error.find("a.exr"), std::string::npos) << error;
     for (Image* image : {&good, &bad}) image->add("variance", {"R", "G", "B"});
     bad.layers[0].pixels = good.layers[0].pixels;

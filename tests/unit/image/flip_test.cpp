@@ -54,14 +54,16 @@ TEST(LdrFlip, PutsTheLargestColourDifferenceAtOne) {
 }
 
 TEST(LdrFlip, FollowsTheEquationsForBlackAndWhite) {
-    // Plain images have no features. |L| differs by 100, chroma by 0, so the colour error is 100^0.7. The largest is
-    // 203.30^0.7 (HyAB of Hunt-adjusted green and blue, computed from their published L*a*b* coordinates
-    // (87.735, -86.183, 83.180) and (32.297, 79.188, -107.860)); above 0.4 of it, the rest maps to [0.95, 1].
+    // Plain images have no features. |L| differs by 100, chroma by 0, so the colour error is 100^0.7. The
+    // largest is 203.30^0.7 (HyAB of Hunt-adjusted green and blue, computed from their published L*a*b*
+    // coordinates (87.735, -86.183, 83.180) and (32.297, 79.188, -107.860)); above 0.4 of it, the rest maps
+    // to [0.95, 1].
     const double green_a = -86.183 * 0.87735, green_b = 83.180 * 0.87735;
     const double blue_a = 79.188 * 0.32297, blue_b = -107.860 * 0.32297;
     const double largest = std::pow(87.735 - 32.297 + std::hypot(green_a - blue_a, green_b - blue_b), 0.7);
     const double expected = 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * largest) / (0.6 * largest);
-    for (const float error : flip_ldr(plain({0, 0, 0}), plain({1, 1, 1}), ppd)) ASSERT_NEAR(error, expected, 1e-4);
+    for (const float error : flip_ldr(plain({0, 0, 0}), plain({1, 1, 1}), ppd))
+        ASSERT_NEAR(error, expected, 1e-4);
 }
 
 TEST(LdrFlip, FollowsTheEquationsForTwoGreys) {
@@ -81,8 +83,8 @@ ColorPlanes waves(double phase, const std::function<double(double)>& curve) {
     });
 }
 
-// The expected numbers come from a second implementation: the papers' formulas written down directly in Python, in
-// double precision, with two-dimensional kernels that nobody separated.
+// The expected numbers come from a second implementation: the papers' formulas written down directly in
+// Python, in double precision, with two-dimensional kernels that nobody separated.
 void expect_errors(const Plane& error, double mean_error, double least, double most, double at_3_2) {
     EXPECT_NEAR(mean(error), mean_error, 2e-4);
     EXPECT_NEAR(*std::min_element(error.begin(), error.end()), least, 5e-4);
@@ -97,7 +99,8 @@ TEST(LdrFlip, AgreesWithADirectImplementation) {
 
 TEST(HdrFlip, AgreesWithADirectImplementation) {
     const auto bright = [](double value) { return 8 * value * value * value * value; };
-    expect_errors(flip_hdr(waves(0, bright), waves(0.7, bright), ppd), 0.592901, 0.170830, 0.966292, 0.338575);
+    expect_errors(flip_hdr(waves(0, bright), waves(0.7, bright), ppd), 0.592901, 0.170830, 0.966292,
+                  0.338575);
 }
 
 TEST(LdrFlip, DoesNotDependOnWhichImageIsTheReference) {
@@ -112,9 +115,8 @@ TEST(LdrFlip, DoesNotDependOnWhichImageIsTheReference) {
 
 TEST(LdrFlip, ReachesAsFarAsItsFilters) {
     const ColorPlanes black = paint(64, 64, [](std::uint32_t, std::uint32_t) { return glm::vec3(0); });
-    const ColorPlanes dot = paint(64, 64, [](std::uint32_t x, std::uint32_t y) {
-        return glm::vec3(x == 32 && y == 32 ? 1 : 0);
-    });
+    const ColorPlanes dot =
+        paint(64, 64, [](std::uint32_t x, std::uint32_t y) { return glm::vec3(x == 32 && y == 32 ? 1 : 0); });
     const Plane error = flip_ldr(black, dot, ppd);
     const auto at = [&](std::size_t x, std::size_t y) { return error[y * 64 + x]; };
     EXPECT_EQ(*std::max_element(error.begin(), error.end()), at(32, 32));
@@ -134,7 +136,8 @@ TEST(LdrFlip, ForgivesPatternsTooFineToSee) {
         });
     };
     const ColorPlanes grey = paint(96, 96, [](std::uint32_t, std::uint32_t) { return glm::vec3(0.5f); });
-    const float fine = mean(flip_ldr(grey, checkers(1), ppd)), coarse = mean(flip_ldr(grey, checkers(16), ppd));
+    const float fine = mean(flip_ldr(grey, checkers(1), ppd)),
+                coarse = mean(flip_ldr(grey, checkers(16), ppd));
     EXPECT_LT(fine, 0.25f * coarse);
     // From twice as near the fine pattern is easier to see.
     EXPECT_GT(mean(flip_ldr(grey, checkers(1), ppd / 4)), 2 * fine);
@@ -175,7 +178,8 @@ TEST(HdrFlip, DoesNotDependOnTheUnitOfRadiance) {
 TEST(HdrFlip, SeesWhatOneExposureHides) {
     // Both are white at the display's exposure, 30 and 60 there; a shorter exposure tells them apart.
     const auto sun = [](float radiance) {
-        return paint(48, 48, [=](std::uint32_t x, std::uint32_t) { return glm::vec3(x < 8 ? radiance : 0.5f); });
+        return paint(48, 48,
+                     [=](std::uint32_t x, std::uint32_t) { return glm::vec3(x < 8 ? radiance : 0.5f); });
     };
     EXPECT_EQ(mean(flip_ldr(sun(30), sun(60), ppd)), 0);
     EXPECT_GT(flip_hdr(sun(30), sun(60), ppd)[24 * 48 + 2], 0.1f);

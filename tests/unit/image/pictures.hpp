@@ -17,7 +17,8 @@ inline Image make_image(std::uint32_t width, std::uint32_t height,
         for (std::uint32_t x = 0; x < width; ++x) {
             const glm::vec3 c = color(x, y);
             const std::size_t at = 4 * (std::size_t{y} * width + x);
-            layer.pixels[at] = c.x, layer.pixels[at + 1] = c.y, layer.pixels[at + 2] = c.z, layer.pixels[at + 3] = 1;
+            layer.pixels[at] = c.x, layer.pixels[at + 1] = c.y, layer.pixels[at + 2] = c.z,
+            layer.pixels[at + 3] = 1;
         }
     return image;
 }

@@ -1,5 +1,5 @@
-// PNG files written by hand, so that tests can have any colour type and depth, a lie in the header, or a cut-off end.
-// Stored deflate blocks (RFC 1951, 3.2.4), CRC-32 and Adler-32 as PNG and zlib want them.
+// PNG files written by hand, so that tests can have any colour type and depth, a lie in the header, or a
+// cut-off end. Stored deflate blocks (RFC 1951, 3.2.4), CRC-32 and Adler-32 as PNG and zlib want them.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ inline void put_chunk(Bytes& out, std::string_view type, const Bytes& data) {
 
 struct Png {
     std::uint32_t width = 0, height = 0;
-    int depth = 8;      // bits
-    int color_type = 6; // 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
+    int depth = 8;                       // bits
+    int color_type = 6;                  // 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
     std::vector<std::uint8_t> samples{}; // the scan lines' bytes without their filter bytes
     std::vector<std::uint8_t> palette{}; // RGB
     std::vector<std::uint8_t> transparency{};

@@ -1,4 +1,5 @@
-// The tone-mapping operators against published values, and what all of them owe: order, bounds, black is black.
+// The tone-mapping operators against published values, and what all of them owe: order, bounds, black is
+// black.
 #include "folder.hpp"
 #include "image/srgb.hpp"
 #include "image/tonemap.hpp"
@@ -18,7 +19,8 @@ TEST(Tonemap, EveryOperatorRisesWithGreyFromBlackAndStaysInRange) {
                 ASSERT_GE(shown[c], 0) << op.name << " at " << stops;
                 ASSERT_LE(shown[c], 1) << op.name << " at " << stops;
             }
-            ASSERT_GE(shown.x, before - 2e-3f) << op.name << " at " << stops; // AgX's polynomial dips at both ends
+            ASSERT_GE(shown.x, before - 2e-3f)
+                << op.name << " at " << stops; // AgX's polynomial dips at both ends
             before = shown.x;
         }
         EXPECT_GT(before, 0.95f) << op.name;
@@ -42,13 +44,15 @@ TEST(Tonemap, AcesFollowsHillsCurveForGrey) {
     // Both matrices' rows sum to 1 within 2e-5, so grey x becomes the rational curve of x.
     const auto aces = find_tonemap("aces").apply;
     for (const double x : {0.05, 0.18, 1.0, 4.0}) {
-        const double curve = (x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.4329510) + 0.238081);
+        const double curve =
+            (x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.4329510) + 0.238081);
         EXPECT_NEAR(aces(glm::vec3(static_cast<float>(x))).y, curve, 1e-4) << x;
     }
 }
 
 TEST(Tonemap, AgxPutsMiddleGreyWhereItsSigmoidPivots) {
-    // Sobotka's sigmoid passes through (10 / 16.5, 0.5) where the log2 encoding is of 0.18: encoded mid grey is 0.5.
+    // Sobotka's sigmoid passes through (10 / 16.5, 0.5) where the log2 encoding is of 0.18: encoded mid grey
+    // is 0.5.
     const float shown = find_tonemap("agx").apply(glm::vec3(0.18f)).y;
     EXPECT_NEAR(std::pow(shown, 1 / 2.2f), 0.5f, 0.01f);
     // A saturated bright colour fades towards white: its weakest channel rises.

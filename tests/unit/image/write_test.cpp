@@ -47,7 +47,8 @@ TEST(ExrFile, KeepsEveryLayerAndTheMetadataAt32Bits) {
         EXPECT_EQ(other->rounding, 0x1p-24f);
     }
     for (const auto& entry : image.metadata)
-        EXPECT_NE(std::find(back.metadata.begin(), back.metadata.end(), entry), back.metadata.end()) << entry.first;
+        EXPECT_NE(std::find(back.metadata.begin(), back.metadata.end(), entry), back.metadata.end())
+            << entry.first;
     EXPECT_EQ(back.metadata.size(), image.metadata.size());
 }
 
@@ -63,7 +64,8 @@ TEST(ExrFile, HalfFloatsAreUsedForColoursOnly) {
         EXPECT_EQ(to.rounding, 0x1p-11f);
         EXPECT_NE(to.pixels, from.pixels);
         for (std::size_t i = 0; i < from.pixels.size(); ++i) // absolute term: half's subnormals
-            ASSERT_NEAR(to.pixels[i], from.pixels[i], from.pixels[i] * to.rounding + 0x1p-25f) << name << " " << i;
+            ASSERT_NEAR(to.pixels[i], from.pixels[i], from.pixels[i] * to.rounding + 0x1p-25f)
+                << name << " " << i;
     }
 }
 
@@ -100,7 +102,8 @@ TEST_P(EightBitFile, ShowsTheToneMappedColourWithinOneStep) {
         const Image back = read_image(folder / GetParam());
         EXPECT_EQ(back.range, Range::display);
         for (std::size_t c = 0; c < 3; ++c) // JPEG rounds twice
-            ASSERT_NEAR(255 * srgb_encode(back.layers[0].pixels[c]), 255 * srgb_encode(color[static_cast<int>(c)]), 2);
+            ASSERT_NEAR(255 * srgb_encode(back.layers[0].pixels[c]),
+                        255 * srgb_encode(color[static_cast<int>(c)]), 2);
         EXPECT_EQ(back.layers[0].pixels[3], 1);
     }
 }
@@ -126,7 +129,8 @@ TEST(PngFile, KeepsStraightAlphaWhenAsked) {
     image.layers[0].pixels[3] = 0.5f; // so the straight colour is 0.5, 0.25, 0
     write_image(folder / "a.png", image, {.alpha = Alpha::keep});
     const DecodedImage bytes = decode_rgba8(read_file(folder / "a.png"), "a.png");
-    EXPECT_EQ(bytes.rgba, (std::vector<std::uint8_t>{188, 137, 0, 128})); // sRGB of 0.5 and 0.25 (IEC 61966-2-1)
+    EXPECT_EQ(bytes.rgba,
+              (std::vector<std::uint8_t>{188, 137, 0, 128})); // sRGB of 0.5 and 0.25 (IEC 61966-2-1)
     const Image back = read_image(folder / "a.png");
     EXPECT_NEAR(back.layers[0].pixels[0], 0.25f, 0.005f); // multiplied by alpha again
 }
@@ -194,7 +198,8 @@ TEST(OutputFile, SurvivesAFailedWriteOverIt) {
     const std::vector<std::byte> before = read_file(folder / "a.png");
     Image no_beauty{4, 4, {}, {}, Range::scene};
     no_beauty.add("albedo", {"R", "G", "B"});
-    EXPECT_NE(error_of([&] { write_image(folder / "a.png", no_beauty); }).find("'albedo'"), std::string::npos);
+    EXPECT_NE(error_of([&] { write_image(folder / "a.png", no_beauty); }).find("'albedo'"),
+              std::string::npos);
     EXPECT_EQ(read_file(folder / "a.png"), before);
     EXPECT_NE(error_of([&] { write_image(folder / "empty.exr", Image{}); }), "");
     EXPECT_FALSE(std::filesystem::exists(folder / "empty.exr"));

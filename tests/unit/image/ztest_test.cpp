@@ -61,7 +61,8 @@ TEST(ZTest, FindsAShiftedTileThatNoPixelShows) {
             for (std::size_t x = 32; x < 48; ++x) action(y * 64 + x);
     };
     for_tile([&](std::size_t i) { total += 2 * variance.pixels[3 * i + 1]; });
-    const float shift = static_cast<float>(8 * std::sqrt(total) / 256); // eight standard deviations of the tile's sum
+    const float shift =
+        static_cast<float>(8 * std::sqrt(total) / 256); // eight standard deviations of the tile's sum
     for_tile([&](std::size_t i) { a.layers[0].pixels[4 * i + 1] += shift; });
 
     const ZTest tiles = z_test(a, b, {16, 16}, 1e-4);
@@ -117,7 +118,9 @@ TEST(ZTest, TakesRoundingOfHalfFloatsForNoDifference) {
         EXPECT_EQ(wrong.rejected, wrong.tests) << block;
         // The same step is a difference between 32-bit files.
         EXPECT_GT(z_test(without_noise(glm::vec3(0.75f), 0x1p-24f),
-                         without_noise(glm::vec3(0.75f + 0x1p-11f), 0x1p-24f), {block, block}, 1e-4).rejected, 0u);
+                         without_noise(glm::vec3(0.75f + 0x1p-11f), 0x1p-24f), {block, block}, 1e-4)
+                      .rejected,
+                  0u);
     }
 }
 
