@@ -5,6 +5,7 @@
 
 namespace ajar {
 
+using gpu::default_cache_folder;
 using gpu::Device;
 using gpu::DeviceDescription;
 using gpu::DeviceOptions;

@@ -117,8 +117,10 @@ Json rays_json(const RenderStats& stats) {
 
 std::vector<std::pair<std::string, std::string>> reproduction_metadata(const Manifest& m) {
     const gpu::DeviceDescription& d = m.device.description();
+    Json settings = image_settings(m);
+    if (m.stats.interrupted) settings["interrupted"] = true; // some pixels may have more samples: layer "samples"
     return {{"ajar:version", std::string(version())},
-            {"ajar:settings", dump(image_settings(m), -1)},
+            {"ajar:settings", dump(settings, -1)},
             {"ajar:scene_hash", m.scene_hash},
             {"ajar:shader_hash", shader_hash()},
             {"ajar:device", d.name},

@@ -1,7 +1,9 @@
 #include "cli/help.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
+#include <vector>
 
 namespace ajar::cli {
 
@@ -51,8 +53,11 @@ void add_entry(std::string& out, const std::string& head, const std::string& des
     wrap(out, description, COLUMN, COLUMN);
 }
 
+// The group that CLI11 puts --help into comes last.
 void add_options(std::string& out, const CLI::App* app) {
-    for (const std::string& group : app->get_groups()) {
+    std::vector<std::string> groups = app->get_groups();
+    std::stable_partition(groups.begin(), groups.end(), [](const std::string& g) { return g != "Options"; });
+    for (const std::string& group : groups) {
         const auto options = app->get_options(
             [&](const CLI::Option* o) { return !group.empty() && o->get_group() == group && o->nonpositional(); });
         if (options.empty()) continue;

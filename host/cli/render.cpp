@@ -14,21 +14,11 @@ namespace ajar::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* EXAMPLES = "  ajar render scene.glb -o out.png\n"
                                  "  ajar render scene.glb -o out.exr -o out.png --size 1920x1080 --samples 256\n"
                                  "  ajar render scene.gltf -o out.exr --env studio.hdr --env-rotation 90 --aov\n"
                                  "  ajar render scene.glb -o out.png --tonemap agx --exposure 1 --time-limit 60\n"
                                  "  ajar render scene.glb -o out.exr --report out.json --progress json";
-
-// $XDG_CACHE_HOME/ajar or ~/.cache/ajar (XDG Base Directory Specification 0.8); empty where neither is set.
-fs::path cache_folder() {
-    const char* const cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && *cache == '/') return fs::path(cache) / "ajar";
-    const char* const home = std::getenv("HOME");
-    return home != nullptr && *home == '/' ? fs::path(home) / ".cache" / "ajar" : fs::path();
-}
 
 // Before hours of rendering: everything that can be known to fail at their end.
 void check(const RenderOptions& o) {
@@ -70,7 +60,6 @@ std::string file_list(const RenderOptions& o) {
 
 // Says what is not as asked for, and gives the exit code.
 int conclude(const RenderOptions& o, const RenderResult& result, ProgressDisplay& display) {
-    display.finished(file_list(o), result.samples, result.render_seconds, result.rays, result.interrupted);
     if (result.invalid_samples > 0)
         display.warning(fmt::format("{} samples were NaN, infinite or negative and were dropped",
                                     result.invalid_samples));
@@ -79,6 +68,7 @@ int conclude(const RenderOptions& o, const RenderResult& result, ProgressDisplay
                                    o.settings.samples, file_list(o)));
     else if (result.out_of_time)
         display.notice(fmt::format("time limit: {} of {} samples done", result.samples, o.settings.samples));
+    display.finished(file_list(o), result.samples, result.render_seconds, result.rays, result.interrupted);
     return result.interrupted ? EXIT_INTERRUPTED : EXIT_OK;
 }
 
@@ -87,7 +77,7 @@ int run(RenderOptions& o) {
     Interrupts interrupts;
     ProgressDisplay display(progress_mode(o.progress), o.settings.time_limit);
     const auto warn = [&](std::string_view line) { display.warning(line); };
-    if (!o.no_cache) o.device.cache_folder = cache_folder();
+    if (!o.no_cache) o.device.cache_folder = default_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
     o.device.on_validation = [&](std::string_view line) { display.warning(fmt::format("validation: {}", line)); };
     const Device device(o.device);
     const SceneFile scene = load(o, display);

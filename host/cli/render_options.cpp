@@ -4,6 +4,7 @@
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -47,6 +48,18 @@ void set_size(RenderSettings& settings, const std::string& text) {
                                                text, MAX_SIDE));
 }
 
+void set_background(RenderOptions& options, const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    std::array<float, 3> color{};
+    bool good = parts.size() == color.size();
+    for (std::size_t i = 0; good && i < color.size(); ++i) {
+        good = number(0, HUGE_NUMBER)(parts[i]).empty();
+        color[i] = std::strtof(parts[i].c_str(), nullptr);
+    }
+    if (!good) throw CLI::ValidationError(fmt::format("--background: '{}' is not R,G,B of at least 0 each", text));
+    options.background = color;
+}
+
 void set_filter(RenderSettings& settings, const std::string& name) {
     const auto rows = pixel_filters();
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -59,6 +72,7 @@ void declare_output(CLI::App& app, RenderOptions& o) {
                    ".exr (linear radiance, every layer), .png or .jpg (tone-mapped, sRGB) or .hdr; may be repeated")
         ->type_name("FILE")
         ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group(group);
     app.add_flag("--float", o.save.full_floats, "EXR: 32-bit floats (default: half where that is enough)")
         ->group(group);
@@ -164,12 +178,10 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->type_name("X")
         ->check(number(0, HUGE_NUMBER))
         ->group(group);
-    app.add_option("--background", o.background,
-                   "Radiance where there is no map (default 0,0,0; a scene without any light: an environment of 1,1,1)")
+    app.add_option_function<std::string>(
+           "--background", [&o](const std::string& text) { set_background(o, text); },
+           "Radiance where there is no map (default 0,0,0; a scene without any light: an environment of 1,1,1)")
         ->type_name("R,G,B")
-        ->delimiter(',')
-        ->expected(3)
-        ->check(number(0, HUGE_NUMBER))
         ->group(group);
     app.add_option_function<std::string>(
            "--backfaces", [&o](const std::string& name) { o.settings.cull_backfaces = name == "cull"; },

@@ -7,6 +7,7 @@
 #include "render/settings.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct RenderOptions {
     LoadOptions load;
     std::string environment;
     EnvironmentOptions environment_options;
-    std::optional<std::vector<float>> background; // R, G, B
+    std::optional<std::array<float, 3>> background;
     DeviceOptions device;
     bool no_cache = false;
     SaveOptions save;
