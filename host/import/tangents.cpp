@@ -114,8 +114,9 @@ std::vector<glm::vec4> corner_tangents(const Primitive& primitive, std::vector<T
             if (const std::uint32_t from = first[triangles[t].vertices[k]]; from != NONE) corners[3 * t + k] = corners[from];
     for (std::uint32_t c = 0; c < corners.size(); ++c) {
         const glm::vec3 tangent(corners[c]);
-        if (std::abs(glm::dot(tangent, tangent) - 1) < 1e-3f) continue; // set, and finite
         const glm::vec3& n = primitive.normals[triangles[c / 3].vertices[c % 3]];
+        // Set, finite, and no rounding error of a direction along the normal, blown up to unit length.
+        if (std::abs(glm::dot(tangent, tangent) - 1) < 1e-3f && std::abs(glm::dot(tangent, n)) < 1e-3f) continue;
         corners[c] = glm::vec4(perpendicular(n), is_set[c] ? corners[c].w : 1.0f);
     }
     return corners;
