@@ -1,9 +1,10 @@
-# Compiles kernels (*.comp) to SPIR-V and embeds them in a target. Editing any included file recompiles its kernels.
+# Compiles kernels (*.comp) to SPIR-V and embeds them. Editing an included file recompiles the kernels it is in.
 #
 #   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ...)
 #
-# gives the target a header NAME.hpp that declares std::span<const ajar::gpu::EmbeddedKernel> ajar::gpu::NAME(). Each
-# kernel is compiled twice, the second time as "a.subgroup" with AJAR_SUBGROUP, for devices with a known subgroup size.
+# gives the target a header NAME.hpp that declares std::span<const ajar::gpu::EmbeddedKernel>
+# ajar::gpu::NAME(). Each kernel is compiled twice, the second time as "a.subgroup" with AJAR_SUBGROUP, for
+# devices with a known subgroup size.
 find_program(AJAR_GLSLANG NAMES glslangValidator glslang DOC "GLSL to SPIR-V compiler")
 if(NOT AJAR_GLSLANG)
   message(FATAL_ERROR "No glslangValidator found: install glslang-tools (apt-get install glslang-tools)")

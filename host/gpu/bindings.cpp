@@ -11,9 +11,11 @@
 namespace ajar::gpu {
 namespace {
 
-// Enough for any one record a kernel reads before it learns that a table is empty, and within every device's limits.
+// Enough for any one record a kernel reads before it learns that a table is empty, and within every device's
+// limits.
 constexpr std::uint64_t DUMMY_BYTES = 4096;
-constexpr std::uint64_t MAX_VIEW_BYTES = (std::uint64_t(1) << 31) - 1; // drivers count bytes in signed 32 bits
+constexpr std::uint64_t MAX_VIEW_BYTES =
+    (std::uint64_t(1) << 31) - 1; // drivers count bytes in signed 32 bits
 
 std::uint64_t texel_bytes(std::uint32_t binding) { return binding == shared::BIND_TEXELS ? 4 : 16; }
 
@@ -33,18 +35,21 @@ bool view_fits(const Device& device, std::uint32_t binding, std::uint64_t size_b
 
 } // namespace
 
-Bindings::Impl::Impl(const Device& device_in) : device(device_in), dummy(device_in, DUMMY_BYTES, "unused binding") {
+Bindings::Impl::Impl(const Device& device_in)
+    : device(device_in), dummy(device_in, DUMMY_BYTES, "unused binding") {
     using Type = vk::DescriptorType;
     const Device::Impl& owner = device.impl();
     const std::array sizes = {
         vk::DescriptorPoolSize(Type::eUniformBuffer, 1),
-        vk::DescriptorPoolSize(Type::eStorageBuffer, shared::BIND_STORAGE_LAST - shared::BIND_STORAGE_FIRST + 1),
+        vk::DescriptorPoolSize(Type::eStorageBuffer,
+                               shared::BIND_STORAGE_LAST - shared::BIND_STORAGE_FIRST + 1),
         vk::DescriptorPoolSize(Type::eUniformTexelBuffer, shared::TABLE_COUNT)};
     try {
-        pool = vk::raii::DescriptorPool(
-            owner.device, {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
+        pool = vk::raii::DescriptorPool(owner.device,
+                                        {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
         set_handle = std::move(
-            vk::raii::DescriptorSets(owner.device, vk::DescriptorSetAllocateInfo(*pool, *owner.set_layout)).front());
+            vk::raii::DescriptorSets(owner.device, vk::DescriptorSetAllocateInfo(*pool, *owner.set_layout))
+                .front());
     } catch (const vk::SystemError& error) {
         throw_error("descriptor set", error);
     }
@@ -53,13 +58,15 @@ Bindings::Impl::Impl(const Device& device_in) : device(device_in), dummy(device_
     for (std::uint32_t i = shared::BIND_STORAGE_FIRST; i <= shared::BIND_STORAGE_LAST; ++i) {
         set(i, Type::eStorageBuffer, dummy.impl(), DUMMY_BYTES);
     }
-    for (std::uint32_t i = shared::BIND_TABLE_FIRST; i <= shared::BIND_TABLE_LAST; ++i) set_table(i, dummy.impl());
+    for (std::uint32_t i = shared::BIND_TABLE_FIRST; i <= shared::BIND_TABLE_LAST; ++i)
+        set_table(i, dummy.impl());
 }
 
 void Bindings::Impl::set(std::uint32_t binding, vk::DescriptorType type, const Buffer::Impl& buffer,
                          std::uint64_t range) {
     const vk::DescriptorBufferInfo info(*buffer.buffer, 0, range);
-    device.impl().device.updateDescriptorSets(vk::WriteDescriptorSet(*set_handle, binding, 0, type, {}, info), {});
+    device.impl().device.updateDescriptorSets(vk::WriteDescriptorSet(*set_handle, binding, 0, type, {}, info),
+                                              {});
 }
 
 void Bindings::Impl::set_table(std::uint32_t binding, const Buffer::Impl& buffer) {
@@ -67,10 +74,11 @@ void Bindings::Impl::set_table(std::uint32_t binding, const Buffer::Impl& buffer
     const std::uint64_t range = std::max(texel, (buffer.size_bytes + texel - 1) / texel * texel);
     vk::raii::BufferView& view = views[binding - shared::BIND_TABLE_FIRST];
     try {
-        vk::raii::BufferView made(device.impl().device, {{}, *buffer.buffer, texel_format(binding), 0, range});
+        vk::raii::BufferView made(device.impl().device,
+                                  {{}, *buffer.buffer, texel_format(binding), 0, range});
         const vk::BufferView handle = *made;
-        const vk::WriteDescriptorSet write(*set_handle, binding, 0, vk::DescriptorType::eUniformTexelBuffer, {}, {},
-                                           handle);
+        const vk::WriteDescriptorSet write(*set_handle, binding, 0, vk::DescriptorType::eUniformTexelBuffer,
+                                           {}, {}, handle);
         device.impl().device.updateDescriptorSets(write, {});
         view = std::move(made);
     } catch (const vk::SystemError& error) {

@@ -1,4 +1,4 @@
-// The descriptor set that all kernels share (shaders/shared/bindings.glsl.h): which buffer stands at which number.
+// The descriptor set that all kernels share: which buffer stands at which number of bindings.glsl.h.
 #pragma once
 
 #include "gpu/buffer.hpp"
@@ -7,7 +7,7 @@ namespace ajar::gpu {
 
 class Bindings {
   public:
-    // All bindings start out at a small zero-filled buffer of their own, so kernels that ignore one need not set it.
+    // All start out at a small zero-filled buffer, so kernels that ignore a binding need not have it set.
     explicit Bindings(const Device& device);
     ~Bindings();
     Bindings(const Bindings&) = delete;
@@ -20,8 +20,8 @@ class Bindings {
     // BIND_TABLE_FIRST..LAST: RGBA32UI, BIND_TEXELS RGBA8 UNORM. A buffer that does not fit is not bound.
     void table(std::uint32_t binding, const Buffer& buffer);
 
-    // Whether a table of so many bytes can be a texel buffer of this device (elements, bytes < 2^31), and may be one
-    // (force_pointers).
+    // Whether a table of so many bytes can be a texel buffer of this device (elements, bytes < 2^31), and may
+    // be one (force_pointers).
     static bool table_fits(const Device& device, std::uint32_t binding, std::uint64_t size_bytes);
 
     struct Impl;

@@ -41,11 +41,12 @@ MemoryChoice choose_type(const Device::Impl& device, std::uint32_t allowed, bool
         if (const auto plain = find_type(memory, allowed, visible, 0)) return *plain;
         throw Error(device.facts.description.name + ": no memory that host and device both see");
     }
-    // Memory of the device that the host sees: all of it (CPU, integrated, resizable BAR) or a small window, which
-    // is better left to the driver.
+    // Memory of the device that the host sees: all of it (CPU, integrated, resizable BAR) or a small window,
+    // which is better left to the driver.
     const std::uint64_t nearly_all = device.facts.limits.memory_bytes / 10 * 9;
     for (const auto extra : {vk::MemoryPropertyFlags(Flag::eHostCached), vk::MemoryPropertyFlags()}) {
-        if (const auto both = find_type(memory, allowed, Flag::eDeviceLocal | visible | extra, nearly_all)) return *both;
+        if (const auto both = find_type(memory, allowed, Flag::eDeviceLocal | visible | extra, nearly_all))
+            return *both;
     }
     if (const auto local = find_type(memory, allowed, Flag::eDeviceLocal, 0)) return *local;
     if (const auto any = find_type(memory, allowed, {}, 0)) return *any;
@@ -62,8 +63,8 @@ void copy(const Device::Impl& device, Submitter& submitter, const Buffer::Impl& 
     const vk::MemoryBarrier barrier(Access::eTransferWrite, Access::eShaderRead | Access::eShaderWrite |
                                                                 Access::eUniformRead | Access::eTransferRead |
                                                                 Access::eTransferWrite | Access::eHostRead);
-    submitter.commands.pipelineBarrier(Stage::eTransfer,
-                                       Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {}, barrier, {}, {});
+    submitter.commands.pipelineBarrier(
+        Stage::eTransfer, Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {}, barrier, {}, {});
     submitter.run("copying " + from.label + " to " + to.label + " on " + device.facts.description.name);
 }
 
@@ -86,7 +87,8 @@ Buffer::Impl& Staging::piece(std::uint64_t size_bytes) {
     const std::uint64_t wanted = std::min(size_bytes, MAX_STAGING_BYTES);
     if (!memory || memory->capacity_bytes < wanted) {
         memory.reset();
-        memory = std::make_unique<Buffer::Impl>(device, std::max<std::uint64_t>(wanted, 1 << 16), "staging", true);
+        memory =
+            std::make_unique<Buffer::Impl>(device, std::max<std::uint64_t>(wanted, 1 << 16), "staging", true);
     }
     return *memory;
 }
@@ -96,8 +98,9 @@ Buffer::Impl::Impl(const Device& device_in, std::uint64_t size, std::string_view
     const Device::Impl& owner = device.impl();
     const DeviceLimits& limits = device.limits();
     const auto too_large = [&](const char* what, std::uint64_t has) {
-        return Error(fmt::format("buffer {}: {} wanted, but {} {} {} (a smaller image, scene or path pool needs less)",
-                                 label, format_bytes(size), device.description().name, what, format_bytes(has)));
+        return Error(
+            fmt::format("buffer {}: {} wanted, but {} {} {} (a smaller image, scene or path pool needs less)",
+                        label, format_bytes(size), device.description().name, what, format_bytes(has)));
     };
     if (size > limits.max_allocation_bytes) throw too_large("allows at most", limits.max_allocation_bytes);
     if (size > limits.memory_bytes) throw too_large("has", limits.memory_bytes);
@@ -105,11 +108,11 @@ Buffer::Impl::Impl(const Device& device_in, std::uint64_t size, std::string_view
     try {
         allocate(staging);
     } catch (const vk::OutOfDeviceMemoryError&) {
-        throw Error(fmt::format(
-            "buffer {}: out of device memory: {} wanted, {} in use here, {} has {} (other programs may use it; a "
-            "smaller image, scene or path pool needs less)",
-            label, format_bytes(size), format_bytes(owner.allocated_bytes), device.description().name,
-            format_bytes(limits.memory_bytes)));
+        throw Error(fmt::format("buffer {}: out of device memory: {} wanted, {} in use here, {} has {} "
+                                "(other programs may use it; a "
+                                "smaller image, scene or path pool needs less)",
+                                label, format_bytes(size), format_bytes(owner.allocated_bytes),
+                                device.description().name, format_bytes(limits.memory_bytes)));
     } catch (const vk::SystemError& error) {
         throw_error("buffer " + label + " of " + format_bytes(size), error);
     }
@@ -166,7 +169,8 @@ void Buffer::write(std::span<const std::byte> bytes, std::uint64_t offset) {
     }
     in_pieces(impl_->device, bytes.size(), [&](Impl& piece, std::uint64_t done, std::uint64_t now) {
         std::memcpy(piece.mapped, bytes.data() + done, now);
-        copy(impl_->device.impl(), impl_->device.impl().staging->submitter, piece, *impl_, {0, offset + done, now});
+        copy(impl_->device.impl(), impl_->device.impl().staging->submitter, piece, *impl_,
+             {0, offset + done, now});
     });
 }
 
@@ -178,7 +182,8 @@ void Buffer::read(std::span<std::byte> bytes, std::uint64_t offset) const {
         return;
     }
     in_pieces(impl_->device, bytes.size(), [&](Impl& piece, std::uint64_t done, std::uint64_t now) {
-        copy(impl_->device.impl(), impl_->device.impl().staging->submitter, *impl_, piece, {offset + done, 0, now});
+        copy(impl_->device.impl(), impl_->device.impl().staging->submitter, *impl_, piece,
+             {offset + done, 0, now});
         std::memcpy(bytes.data() + done, piece.mapped, now);
     });
 }

@@ -1,4 +1,4 @@
-// Device memory. Every buffer may be a storage, texel and uniform buffer, copied to and from, and has an address.
+// Device memory. Every buffer may be a storage, texel and uniform buffer, and has an address.
 #pragma once
 
 #include "gpu/device.hpp"
@@ -13,7 +13,7 @@ namespace ajar::gpu {
 class Buffer {
   public:
     Buffer(); // empty: size 0, address 0
-    // Zero-filled. Throws Error (out of device memory: says how much was asked for what, and how much there is).
+    // Zero-filled. Throws Error (out of device memory: how much was asked for what, and how much there is).
     Buffer(const Device& device, std::uint64_t size_bytes, std::string_view label);
     Buffer(Buffer&&) noexcept;
     Buffer& operator=(Buffer&&) noexcept;

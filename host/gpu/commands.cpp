@@ -1,5 +1,5 @@
-// Recording, submitting and timing. After every dispatch stands one barrier for everything: the stages of a path tracer
-// depend on each other, so finer ones gain nothing.
+// Recording, submitting and timing. After every dispatch stands one barrier for everything: the stages of a
+// path tracer depend on each other, so finer ones gain nothing.
 #include "base/error.hpp"
 #include "gpu/device_impl.hpp"
 
@@ -20,8 +20,8 @@ void full_barrier(const vk::raii::CommandBuffer& commands) {
     const vk::MemoryBarrier barrier(Access::eShaderWrite, Access::eShaderRead | Access::eShaderWrite |
                                                               Access::eUniformRead | Access::eTransferRead |
                                                               Access::eTransferWrite | Access::eHostRead);
-    commands.pipelineBarrier(Stage::eComputeShader, Stage::eComputeShader | Stage::eTransfer | Stage::eHost, {},
-                             barrier, {}, {});
+    commands.pipelineBarrier(Stage::eComputeShader, Stage::eComputeShader | Stage::eTransfer | Stage::eHost,
+                             {}, barrier, {}, {});
 }
 
 } // namespace
@@ -88,7 +88,8 @@ void Commands::Impl::dispatch(const KernelBase::Impl& kernel, const void* args, 
     const Device::Impl& owner = device.impl();
     const std::uint32_t rows = (group_count - 1) / owner.facts.max_group_count[0] + 1;
     if (rows > owner.facts.max_group_count[1]) {
-        throw Error(fmt::format("kernel {}: {} workgroups are more than the device can start", kernel.name, group_count));
+        throw Error(fmt::format("kernel {}: {} workgroups are more than the device can start", kernel.name,
+                                group_count));
     }
     const std::uint32_t columns = (group_count - 1) / rows + 1;
     try {
@@ -122,17 +123,19 @@ double Commands::Impl::collect() {
         const std::uint32_t count = std::min(STAMPS_PER_POOL, stamp_count - first);
         // The C function: the C++ one returns another type in each release of the headers.
         const VkResult result = owner.device.getDispatcher()->vkGetQueryPoolResults(
-            static_cast<VkDevice>(*owner.device), static_cast<VkQueryPool>(*queries[first / STAMPS_PER_POOL]), 0,
-            count, count * sizeof(ticks[0]), &ticks[first], sizeof(ticks[0]),
+            static_cast<VkDevice>(*owner.device), static_cast<VkQueryPool>(*queries[first / STAMPS_PER_POOL]),
+            0, count, count * sizeof(ticks[0]), &ticks[first], sizeof(ticks[0]),
             VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
-        if (result != VK_SUCCESS) throw_error("timestamps", vk::SystemError(make_error_code(vk::Result(result))));
+        if (result != VK_SUCCESS)
+            throw_error("timestamps", vk::SystemError(make_error_code(vk::Result(result))));
     }
     // Only the low bits count, and they wrap around.
     const std::uint32_t bits = owner.facts.timestamp_bits;
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << bits) - 1;
     double total = 0;
     for (std::size_t i = 0; i + 1 < ticks.size(); ++i) {
-        const double seconds = static_cast<double>((ticks[i + 1] - ticks[i]) & mask) * owner.facts.timestamp_seconds;
+        const double seconds =
+            static_cast<double>((ticks[i + 1] - ticks[i]) & mask) * owner.facts.timestamp_seconds;
         profile[labels[i]].seconds += seconds;
         total += seconds;
     }

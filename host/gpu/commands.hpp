@@ -23,8 +23,8 @@ class Commands {
 
     // The bindings of the dispatches that follow.
     void bind(const Bindings& bindings);
-    // Runs what was recorded, waits, adds its times to profile(), and begins anew. Returns device seconds (wall time
-    // where there are no timestamps). Throws Error on a lost device or out of memory.
+    // Runs what was recorded, waits, adds its times to profile(), and begins anew. Returns device seconds
+    // (wall time where there are no timestamps). Throws Error on a lost device or out of memory.
     double submit();
     // Forgets what was recorded; the bindings stay.
     void reset();

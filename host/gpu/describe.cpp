@@ -47,18 +47,21 @@ void check_limits(const vk::PhysicalDeviceLimits& limits, std::vector<std::strin
         if (has < wants) missing.push_back(fmt::format("{} of {} (has {})", name, wants, has));
     };
     need(limits.maxPerStageDescriptorStorageBuffers, STORAGE_BINDINGS, "maxPerStageDescriptorStorageBuffers");
-    need(limits.maxPerStageDescriptorSampledImages, shared::TABLE_COUNT, "maxPerStageDescriptorSampledImages");
+    need(limits.maxPerStageDescriptorSampledImages, shared::TABLE_COUNT,
+         "maxPerStageDescriptorSampledImages");
     need(limits.maxPerStageResources, STORAGE_BINDINGS + shared::TABLE_COUNT + 1, "maxPerStageResources");
     need(limits.maxPushConstantsSize, PUSH_CONSTANT_BYTES, "maxPushConstantsSize");
 }
 
 void check_features(const vk::raii::PhysicalDevice& physical, std::vector<std::string>& missing) {
-    const auto chain = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+    const auto chain =
+        physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
     const auto& features = chain.get<vk::PhysicalDeviceVulkan12Features>();
     if (!features.bufferDeviceAddress) missing.emplace_back("bufferDeviceAddress");
     if (!features.scalarBlockLayout) missing.emplace_back("scalarBlockLayout");
     for (const auto format : {vk::Format::eR32G32B32A32Uint, vk::Format::eR8G8B8A8Unorm}) {
-        if (!(physical.getFormatProperties(format).bufferFeatures & vk::FormatFeatureFlagBits::eUniformTexelBuffer)) {
+        if (!(physical.getFormatProperties(format).bufferFeatures &
+              vk::FormatFeatureFlagBits::eUniformTexelBuffer)) {
             missing.push_back("uniform texel buffers of " + vk::to_string(format));
         }
     }
@@ -70,8 +73,9 @@ void read_subgroups(const vk::raii::PhysicalDevice& physical, Facts& facts) {
     facts.has_subgroup_size_control = std::any_of(extensions.begin(), extensions.end(), [](const auto& e) {
         return std::string_view(e.extensionName.data()) == VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
     });
-    const auto subgroups = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
-                               .get<vk::PhysicalDeviceSubgroupProperties>();
+    const auto subgroups =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
+            .get<vk::PhysicalDeviceSubgroupProperties>();
     using Feature = vk::SubgroupFeatureFlagBits;
     const auto wanted = Feature::eBasic | Feature::eVote | Feature::eBallot | Feature::eShuffle;
     facts.limits.subgroup_size = std::max(1u, subgroups.subgroupSize);
@@ -79,23 +83,26 @@ void read_subgroups(const vk::raii::PhysicalDevice& physical, Facts& facts) {
                                     (subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute);
     if (!facts.has_subgroup_size_control) return;
 
-    const auto sizes =
-        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT>()
-            .get<vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT>();
+    const auto sizes = physical
+                           .getProperties2<vk::PhysicalDeviceProperties2,
+                                           vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT>()
+                           .get<vk::PhysicalDeviceSubgroupSizeControlPropertiesEXT>();
     const auto features =
         physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT>()
             .get<vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT>();
-    facts.can_require_subgroup_size = features.subgroupSizeControl && features.computeFullSubgroups &&
-                                      (sizes.requiredSubgroupSizeStages & vk::ShaderStageFlagBits::eCompute) &&
-                                      sizes.minSubgroupSize <= subgroups.subgroupSize &&
-                                      subgroups.subgroupSize <= sizes.maxSubgroupSize;
+    facts.can_require_subgroup_size =
+        features.subgroupSizeControl && features.computeFullSubgroups &&
+        (sizes.requiredSubgroupSizeStages & vk::ShaderStageFlagBits::eCompute) &&
+        sizes.minSubgroupSize <= subgroups.subgroupSize && subgroups.subgroupSize <= sizes.maxSubgroupSize;
     facts.limits.subgroup_size_fixed =
         facts.can_require_subgroup_size || sizes.minSubgroupSize == sizes.maxSubgroupSize;
 }
 
-void read_limits(const vk::raii::PhysicalDevice& physical, const vk::PhysicalDeviceLimits& from, Facts& facts) {
+void read_limits(const vk::raii::PhysicalDevice& physical, const vk::PhysicalDeviceLimits& from,
+                 Facts& facts) {
     DeviceLimits& limits = facts.limits;
-    limits.max_workgroup_size = std::min(from.maxComputeWorkGroupInvocations, from.maxComputeWorkGroupSize[0]);
+    limits.max_workgroup_size =
+        std::min(from.maxComputeWorkGroupInvocations, from.maxComputeWorkGroupSize[0]);
     limits.max_storage_bytes = from.maxStorageBufferRange;
     limits.max_texel_elements = from.maxTexelBufferElements;
     limits.max_allocation_bytes =
@@ -131,8 +138,9 @@ Facts describe(const vk::raii::PhysicalDevice& physical, std::uint32_t index) {
         facts.description.missing.push_back("Vulkan 1.2 (has " + facts.description.api_version + ")");
         return facts;
     }
-    const auto driver = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
-                            .get<vk::PhysicalDeviceDriverProperties>();
+    const auto driver =
+        physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+            .get<vk::PhysicalDeviceDriverProperties>();
     facts.description.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
     check_features(physical, facts.description.missing);
     read_subgroups(physical, facts);

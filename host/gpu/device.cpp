@@ -52,8 +52,10 @@ std::size_t choose(const std::vector<Facts>& devices, const std::string& select)
     }
     if (matches.empty()) {
         std::vector<std::string> all;
-        for (const Facts& d : devices) all.push_back(fmt::format("{}: {}", d.description.index, d.description.name));
-        throw Error(fmt::format("no Vulkan device matches \"{}\" (there are {})", select, fmt::join(all, "; ")));
+        for (const Facts& d : devices)
+            all.push_back(fmt::format("{}: {}", d.description.index, d.description.name));
+        throw Error(
+            fmt::format("no Vulkan device matches \"{}\" (there are {})", select, fmt::join(all, "; ")));
     }
     std::stable_sort(matches.begin(), matches.end(), [&](std::size_t a, std::size_t b) {
         const auto key = [&](std::size_t i) {
@@ -91,7 +93,8 @@ Device::Impl::Impl(const DeviceOptions& options_in)
     : options(options_in), instance(options.validation, &options.on_validation) {
     auto devices = instance.physical_devices();
     std::vector<Facts> all;
-    for (const auto& candidate : devices) all.push_back(describe(candidate, static_cast<std::uint32_t>(all.size())));
+    for (const auto& candidate : devices)
+        all.push_back(describe(candidate, static_cast<std::uint32_t>(all.size())));
     const std::size_t chosen = choose(all, options.select);
     physical = std::move(devices[chosen]);
     facts = std::move(all[chosen]);

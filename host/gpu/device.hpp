@@ -12,7 +12,7 @@
 
 namespace ajar::gpu {
 
-// A device as `ajar devices` lists it. `missing` names each thing Ajar needs and the device lacks; empty: usable.
+// A device as `ajar devices` lists it. `missing` names each thing Ajar needs and the device lacks.
 struct DeviceDescription {
     std::uint32_t index = 0;
     std::string name;   // as the driver spells it
@@ -23,16 +23,18 @@ struct DeviceDescription {
     bool usable() const { return missing.empty(); }
 };
 
-// Every Vulkan device of the machine. Throws Error when there is no Vulkan driver at all (names the package to install).
+// Every Vulkan device of the machine. Throws Error when there is no Vulkan driver at all (names the package
+// to install).
 std::vector<DeviceDescription> list_devices();
 
 struct DeviceOptions {
-    std::string select = {}; // index, or part of the name in any case; empty: discrete GPU, integrated, then CPU
+    // Index, or part of the name in any case; empty: discrete GPU, integrated, then CPU.
+    std::string select = {};
     bool validation = false; // load the Khronos validation layer; Error when it is not installed
     std::function<void(std::string_view)> on_validation = {}; // each warning or error of the layer
     std::filesystem::path cache_folder = {}; // where compiled pipelines are kept; empty: nowhere
-    bool force_pointers = false; // read scene tables through pointers even where texel buffers would do
-    bool force_staging = false;  // transfers as on a GPU whose memory the host can't see
+    bool force_pointers = false;      // read scene tables through pointers even where texel buffers would do
+    bool force_staging = false;       // transfers as on a GPU whose memory the host can't see
     std::uint32_t workgroup_size = 0; // 0: chosen by device; Error when it allows fewer
 };
 
@@ -43,10 +45,10 @@ struct DeviceLimits {
     bool subgroup_size_fixed = false; // every kernel runs with exactly subgroup_size
     bool subgroup_shuffle = false;    // votes, ballots and shuffles in compute kernels
     std::uint32_t max_workgroup_size = 0;
-    std::uint64_t max_storage_bytes = 0;   // of one bound storage buffer
+    std::uint64_t max_storage_bytes = 0; // of one bound storage buffer
     std::uint64_t max_allocation_bytes = 0;
-    std::uint64_t max_texel_elements = 0;  // of one texel buffer
-    std::uint64_t memory_bytes = 0;        // of the largest device-local heap
+    std::uint64_t max_texel_elements = 0; // of one texel buffer
+    std::uint64_t memory_bytes = 0;       // of the largest device-local heap
     bool timestamps = false;
 };
 

@@ -10,8 +10,8 @@ namespace ajar::gpu {
 namespace {
 
 constexpr const char* VALIDATION_LAYER = "VK_LAYER_KHRONOS_validation";
-constexpr const char* NO_DRIVER =
-    "no Vulkan driver found (install mesa-vulkan-drivers, which brings a CPU device too, or your GPU vendor's driver)";
+constexpr const char* NO_DRIVER = "no Vulkan driver found (install mesa-vulkan-drivers, which brings a CPU "
+                                  "device too, or your GPU vendor's driver)";
 
 vk::raii::Context make_context() {
     try {
@@ -28,11 +28,13 @@ bool offers(const std::vector<vk::ExtensionProperties>& extensions, const char* 
 
 bool has_validation_layer(const vk::raii::Context& context) {
     const auto layers = context.enumerateInstanceLayerProperties();
-    return std::any_of(layers.begin(), layers.end(),
-                       [](const auto& l) { return std::string_view(l.layerName.data()) == VALIDATION_LAYER; });
+    return std::any_of(layers.begin(), layers.end(), [](const auto& l) {
+        return std::string_view(l.layerName.data()) == VALIDATION_LAYER;
+    });
 }
 
-VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                          VkDebugUtilsMessageTypeFlagsEXT,
                                           const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     const auto& sink = *static_cast<const std::function<void(std::string_view)>*>(user);
     if (sink) sink(data->pMessage != nullptr ? data->pMessage : "");
@@ -61,7 +63,8 @@ Instance::Instance(bool validation, const std::function<void(std::string_view)>*
     auto extensions_offered = context.enumerateInstanceExtensionProperties();
     if (validation) {
         if (!has_validation_layer(context)) {
-            throw Error("validation was asked for, but the Khronos layer is missing (install vulkan-validationlayers)");
+            throw Error("validation was asked for, but the Khronos layer is missing (install "
+                        "vulkan-validationlayers)");
         }
         layers.push_back(VALIDATION_LAYER);
         const auto of_layer = context.enumerateInstanceExtensionProperties(std::string(VALIDATION_LAYER));
@@ -78,7 +81,8 @@ Instance::Instance(bool validation, const std::function<void(std::string_view)>*
     try {
         instance = vk::raii::Instance(context, info);
         if (validation && debug_utils) {
-            messenger = vk::raii::DebugUtilsMessengerEXT(instance, vk::DebugUtilsMessengerCreateInfoEXT(messages));
+            messenger =
+                vk::raii::DebugUtilsMessengerEXT(instance, vk::DebugUtilsMessengerCreateInfoEXT(messages));
         }
     } catch (const vk::IncompatibleDriverError&) {
         throw Error(NO_DRIVER);
@@ -102,7 +106,8 @@ std::vector<DeviceDescription> list_devices() {
     const Instance instance(false, nullptr);
     std::vector<DeviceDescription> descriptions;
     for (const auto& physical : instance.physical_devices()) {
-        descriptions.push_back(describe(physical, static_cast<std::uint32_t>(descriptions.size())).description);
+        descriptions.push_back(
+            describe(physical, static_cast<std::uint32_t>(descriptions.size())).description);
     }
     return descriptions;
 }
@@ -126,7 +131,8 @@ void throw_error(const std::string& what, const vk::SystemError& error) {
     case vk::Result::eErrorOutOfDeviceMemory:
         throw Error(what + ": out of device memory (a smaller image, scene or path pool needs less)");
     case vk::Result::eErrorOutOfHostMemory:
-        throw Error(what + ": the driver is out of host memory (close other programs, or render something smaller)");
+        throw Error(what +
+                    ": the driver is out of host memory (close other programs, or render something smaller)");
     default: throw Error(what + ": the Vulkan driver refused: " + error.what());
     }
 }

@@ -18,7 +18,8 @@ namespace {
 constexpr std::string_view SUBGROUP_SUFFIX = ".subgroup";
 
 std::span<const std::uint32_t> find(KernelSet set, std::string_view name) {
-    const auto found = std::find_if(set.begin(), set.end(), [&](const auto& kernel) { return kernel.name == name; });
+    const auto found =
+        std::find_if(set.begin(), set.end(), [&](const auto& kernel) { return kernel.name == name; });
     return found == set.end() ? std::span<const std::uint32_t>() : found->spirv;
 }
 
@@ -39,14 +40,16 @@ struct Choice {
     bool full_subgroups = false;
 };
 
-Choice choose(const Device& device, KernelSet set, std::string_view name, const Specialization& specialization) {
+Choice choose(const Device& device, KernelSet set, std::string_view name,
+              const Specialization& specialization) {
     const auto plain = find(set, name);
     if (plain.empty()) {
         std::vector<std::string_view> known;
         for (const EmbeddedKernel& kernel : set) {
             if (!kernel.name.ends_with(SUBGROUP_SUFFIX)) known.push_back(kernel.name);
         }
-        throw Error(fmt::format("kernel {}: not part of this program (it has {})", name, fmt::join(known, ", ")));
+        throw Error(
+            fmt::format("kernel {}: not part of this program (it has {})", name, fmt::join(known, ", ")));
     }
     if (subgroup_is_workgroup(device, workgroup_size_of(device, specialization))) {
         const auto variant = find(set, std::string(name) + std::string(SUBGROUP_SUFFIX));
@@ -81,9 +84,10 @@ KernelBase::Impl::Impl(const Device& device, std::span<const std::uint32_t> spir
     const vk::SpecializationInfo constants(static_cast<std::uint32_t>(entries.size()), entries.data(),
                                            values.size() * sizeof(values[0]), values.data());
     try {
-        const vk::raii::ShaderModule module(
-            owner.device, vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
-        vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &constants);
+        const vk::raii::ShaderModule module(owner.device,
+                                            vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+        vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                &constants);
         const vk::PipelineShaderStageRequiredSubgroupSizeCreateInfoEXT size(device.limits().subgroup_size);
         if (full_subgroups && owner.facts.can_require_subgroup_size) {
             stage.flags = vk::PipelineShaderStageCreateFlagBits::eRequireFullSubgroupsEXT;
@@ -100,7 +104,8 @@ KernelBase::Impl::Impl(const Device& device, std::span<const std::uint32_t> spir
 KernelBase::KernelBase(const Device& device, KernelSet set, std::string_view name,
                        const Specialization& specialization, std::uint32_t args_bytes) {
     const Choice choice = choose(device, set, name, specialization);
-    impl_ = std::make_unique<Impl>(device, choice.spirv, name, specialization, args_bytes, choice.full_subgroups);
+    impl_ =
+        std::make_unique<Impl>(device, choice.spirv, name, specialization, args_bytes, choice.full_subgroups);
 }
 
 KernelBase::KernelBase(const Device& device, std::string_view name, const Specialization& specialization,
@@ -123,7 +128,9 @@ void KernelBase::record(Commands& commands, const void* args, std::uint32_t grou
 
 KernelSet embedded_kernels() { return production_kernels(); }
 
-std::span<const std::uint32_t> embedded_kernel(std::string_view name) { return find(embedded_kernels(), name); }
+std::span<const std::uint32_t> embedded_kernel(std::string_view name) {
+    return find(embedded_kernels(), name);
+}
 
 std::vector<std::string> embedded_kernel_names() {
     std::vector<std::string> names;

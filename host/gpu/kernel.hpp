@@ -25,13 +25,13 @@ KernelSet embedded_kernels();
 class KernelBase {
   public:
     // `name` is that of shaders/kernels/NAME.comp. Throws Error when there is none, or the driver refuses it.
-    // Where the device has shuffles, a fixed subgroup size and workgroup_size equals it, the variant compiled with
-    // AJAR_SUBGROUP is taken.
+    // Where the device has shuffles, a fixed subgroup size and workgroup_size equals it, the variant compiled
+    // with AJAR_SUBGROUP is taken.
     KernelBase(const Device& device, std::string_view name, const Specialization& specialization,
                std::uint32_t args_bytes);
     // The same from another set than embedded_kernels().
-    KernelBase(const Device& device, KernelSet set, std::string_view name, const Specialization& specialization,
-               std::uint32_t args_bytes);
+    KernelBase(const Device& device, KernelSet set, std::string_view name,
+               const Specialization& specialization, std::uint32_t args_bytes);
     // Any SPIR-V; `label` stands for the name.
     KernelBase(const Device& device, std::span<const std::uint32_t> spirv, std::string_view label,
                const Specialization& specialization, std::uint32_t args_bytes);
@@ -64,9 +64,9 @@ template <class Args> class Kernel : public KernelBase {
            const Specialization& specialization)
         : KernelBase(device, spirv, label, specialization, sizeof(Args)) {}
 
-    // Records the dispatch under the kernel's name, then a barrier that makes its writes visible to whatever follows.
-    // A few workgroups more than group_count may run: see shaders/core/workgroup.glsl. The kernel, the bindings and
-    // their buffers must live, unchanged, until the commands were submitted.
+    // Records the dispatch under the kernel's name, then a barrier that makes its writes visible to whatever
+    // follows. A few workgroups more than group_count may run: see shaders/core/workgroup.glsl. The kernel,
+    // the bindings and their buffers must live, unchanged, until the commands were submitted.
     void dispatch(Commands& commands, const Args& args, std::uint32_t group_count) const {
         record(commands, &args, group_count);
     }

@@ -1,5 +1,5 @@
-// A file is 32 hexadecimal digits, the content hash of the rest, then what the driver gave us: drivers check the
-// header of their data (Vulkan 1.2, "Pipeline Cache Header"), hardly ever the rest.
+// A file is 32 hexadecimal digits, the content hash of the rest, then what the driver gave us: drivers check
+// the header of their data (Vulkan 1.2, "Pipeline Cache Header"), hardly ever the rest.
 #include "gpu/pipeline_cache.hpp"
 
 #include "base/error.hpp"
@@ -51,7 +51,8 @@ std::filesystem::path default_cache_folder(const char* xdg_cache_home, const cha
 std::filesystem::path cache_file(const std::filesystem::path& folder, const CacheKey& key) {
     std::string uuid;
     for (const std::uint8_t byte : key.uuid) uuid += fmt::format("{:02x}", byte);
-    return folder / fmt::format("pipelines-{:x}-{:x}-{:x}-{}.bin", key.vendor, key.device, key.driver_version, uuid);
+    return folder /
+           fmt::format("pipelines-{:x}-{:x}-{:x}-{}.bin", key.vendor, key.device, key.driver_version, uuid);
 }
 
 std::vector<std::byte> load_cache(const std::filesystem::path& folder, const CacheKey& key) {
@@ -71,7 +72,8 @@ std::vector<std::byte> load_cache(const std::filesystem::path& folder, const Cac
     return {data.begin(), data.end()};
 }
 
-void store_cache(const std::filesystem::path& folder, const CacheKey& key, std::span<const std::byte> data) noexcept {
+void store_cache(const std::filesystem::path& folder, const CacheKey& key,
+                 std::span<const std::byte> data) noexcept {
     if (folder.empty() || data.empty()) return;
     try {
         std::filesystem::create_directories(folder);

@@ -24,6 +24,7 @@ std::filesystem::path cache_file(const std::filesystem::path& folder, const Cach
 std::vector<std::byte> load_cache(const std::filesystem::path& folder, const CacheKey& key);
 
 // Stores it, creating the folder. Does nothing where that is impossible.
-void store_cache(const std::filesystem::path& folder, const CacheKey& key, std::span<const std::byte> data) noexcept;
+void store_cache(const std::filesystem::path& folder, const CacheKey& key,
+                 std::span<const std::byte> data) noexcept;
 
 } // namespace ajar::gpu

@@ -1,5 +1,5 @@
-// ASSERT(condition): what the author of a kernel believes. Free unless AJAR_DEBUG; then failures are counted in
-// frame.diagnostics, with line and thread of one of them, for the host to throw.
+// ASSERT(condition): what the author of a kernel believes. Free unless AJAR_DEBUG; then failures are counted
+// in frame.diagnostics, with line and thread of one of them, for the host to throw.
 #ifndef AJAR_ASSERT_GLSL
 #define AJAR_ASSERT_GLSL
 #include "tables.glsl"

@@ -44,9 +44,11 @@ std::vector<std::byte> GpuTest::run(const Device& device, std::string_view name,
     return out.read<std::byte>(0, out_bytes);
 }
 
-std::vector<std::uint32_t> GpuTest::run_words(const Device& device, std::string_view name, const TestArgs& args,
-                                              const Specialization& specialization, std::uint32_t threads) {
-    return as<std::uint32_t>(run(device, name, args, specialization, threads, args.count * sizeof(std::uint32_t)));
+std::vector<std::uint32_t> GpuTest::run_words(const Device& device, std::string_view name,
+                                              const TestArgs& args, const Specialization& specialization,
+                                              std::uint32_t threads) {
+    return as<std::uint32_t>(
+        run(device, name, args, specialization, threads, args.count * sizeof(std::uint32_t)));
 }
 
 } // namespace ajar::gpu

@@ -1,5 +1,5 @@
-// What the tests of this folder share: a device with the validation layer on, whose silence every test requires, and a
-// way to run one of the kernels in shaders/.
+// What the tests of this folder share: a device with the validation layer on, whose silence every test
+// requires, and a way to run one of the kernels in shaders/.
 #pragma once
 
 #include "base/error.hpp"
@@ -31,8 +31,9 @@ class GpuTest : public testing::Test {
                                       const Specialization& specialization, std::uint32_t threads,
                                       std::uint64_t out_bytes, const shared::FrameRecord* frame = nullptr);
     // The same where each of args.count threads writes one word.
-    static std::vector<std::uint32_t> run_words(const Device& device, std::string_view name, const TestArgs& args,
-                                                const Specialization& specialization, std::uint32_t threads);
+    static std::vector<std::uint32_t> run_words(const Device& device, std::string_view name,
+                                                const TestArgs& args, const Specialization& specialization,
+                                                std::uint32_t threads);
 
   private:
     std::vector<std::string> messages_;

@@ -29,7 +29,8 @@ TEST_F(GpuKernel, GivesTheSameWithAnyWorkgroupSize) {
     const TestArgs args{777, 5, 11};
     Device& d = device();
     for (const std::uint32_t size : {1u, 8u, 32u, 64u, 128u}) {
-        EXPECT_EQ(run_words(d, "fill", args, {{shared::SPEC_WORKGROUP_SIZE, size}}, 777), filled(args, 0)) << size;
+        EXPECT_EQ(run_words(d, "fill", args, {{shared::SPEC_WORKGROUP_SIZE, size}}, 777), filled(args, 0))
+            << size;
     }
 }
 
@@ -42,7 +43,8 @@ TEST_F(GpuKernel, TakesTheDevicesWorkgroupSizeWhenNoneIsGiven) {
 
 TEST_F(GpuKernel, RunsMoreWorkgroupsThanOneDimensionAllows) {
     const TestArgs args{200'003, 1, 1};
-    EXPECT_EQ(run_words(device(), "fill", args, {{shared::SPEC_WORKGROUP_SIZE, 1}}, args.count), filled(args, 0));
+    EXPECT_EQ(run_words(device(), "fill", args, {{shared::SPEC_WORKGROUP_SIZE, 1}}, args.count),
+              filled(args, 0));
 }
 
 TEST_F(GpuKernel, UsesShufflesOnlyWhereAWorkgroupIsOneSubgroup) {
@@ -50,12 +52,14 @@ TEST_F(GpuKernel, UsesShufflesOnlyWhereAWorkgroupIsOneSubgroup) {
     const DeviceLimits& limits = d.limits();
     const std::uint32_t size = limits.subgroup_size;
     const bool expected = limits.subgroup_shuffle && limits.subgroup_size_fixed;
-    const auto one = run_words(d, "subgroup", {2 * size, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, size}}, 2 * size);
+    const auto one =
+        run_words(d, "subgroup", {2 * size, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, size}}, 2 * size);
     for (std::uint32_t i = 0; i < 2 * size; ++i) {
         const std::uint32_t first = i / size * size;
         EXPECT_EQ(one[i], expected ? 1 + size * first + size * (size - 1) / 2 : 0);
     }
-    const auto many = run_words(d, "subgroup", {2 * size, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, 2 * size}}, 2 * size);
+    const auto many =
+        run_words(d, "subgroup", {2 * size, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, 2 * size}}, 2 * size);
     EXPECT_EQ(many, std::vector<std::uint32_t>(2 * size, 0));
 }
 
@@ -67,7 +71,8 @@ TEST_F(GpuKernel, TakesAnySpirvUnderALabel) {
 }
 
 TEST_F(GpuKernel, NamesAKernelThatDoesNotExist) {
-    const std::string error = error_of([&] { const Kernel<TestArgs> kernel(device(), test_kernels(), "fil", {}); });
+    const std::string error =
+        error_of([&] { const Kernel<TestArgs> kernel(device(), test_kernels(), "fil", {}); });
     EXPECT_NE(error.find("kernel fil: not part of this program"), std::string::npos) << error;
     EXPECT_NE(error.find("fill"), std::string::npos) << error;
 }

@@ -1,5 +1,6 @@
-// One struct, two languages: every member of every shared struct lies where C++ thinks it does. The GLSL side is read
-// from the SPIR-V of layouts.comp (SPIR-V specification 1.5, section 3.32: OpMemberDecorate ... Offset).
+// One struct, two languages: every member of every shared struct lies where C++ thinks it does. The GLSL side
+// is read from the SPIR-V of layouts.comp (SPIR-V specification 1.5, section 3.32: OpMemberDecorate ...
+// Offset).
 #include "gpu_test.hpp"
 
 #include "shaders/kernels/accumulate.glsl.h"
@@ -43,9 +44,11 @@ struct Field {
     std::size_t offset;
 };
 
-#define F(type, member) {#type, #member, offsetof(type, member)}
+#define F(type, member)                                                                                      \
+    { #type, #member, offsetof(type, member) }
 
 // Add the members of a new struct here and mention it in shaders/layouts.comp.
+// clang-format off
 const Field FIELDS[] = {
     F(BvhNode, origin), F(BvhNode, exponents), F(BvhNode, child_base), F(BvhNode, triangle_base),
     F(BvhNode, leaves), F(BvhNode, pad), F(BvhNode, lower_x), F(BvhNode, lower_y), F(BvhNode, lower_z),
@@ -111,6 +114,7 @@ const Field FIELDS[] = {
     F(NormalsArgs, segments),
     F(ShadeArgs, segments),
 };
+// clang-format on
 
 #undef F
 
@@ -122,9 +126,11 @@ Layouts of_cpp() {
 
 std::string text_at(const std::uint32_t* words) { return reinterpret_cast<const char*>(words); }
 
-// Structs with offsets, by name. One name may stand for several types (one per storage class): they must agree.
+// Structs with offsets, by name. One name may stand for several types (one per storage class): they must
+// agree.
 Layouts of_spirv(std::span<const std::uint32_t> words) {
-    constexpr std::uint32_t OP_NAME = 5, OP_MEMBER_NAME = 6, OP_MEMBER_DECORATE = 72, OFFSET = 35, HEADER_WORDS = 5;
+    constexpr std::uint32_t OP_NAME = 5, OP_MEMBER_NAME = 6, OP_MEMBER_DECORATE = 72, OFFSET = 35,
+                            HEADER_WORDS = 5;
     std::map<std::uint32_t, std::string> names;
     std::map<std::uint32_t, std::map<std::uint32_t, std::string>> member_names;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> offsets;
@@ -163,7 +169,8 @@ std::set<std::string> declared() {
 
 TEST(SharedStructs, LieInSpirvWhereCppThinks) {
     KernelSet kernels = test_kernels();
-    const auto found = std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name == "layouts"; });
+    const auto found =
+        std::find_if(kernels.begin(), kernels.end(), [](const auto& k) { return k.name == "layouts"; });
     ASSERT_NE(found, kernels.end());
     const Layouts spirv = of_spirv(found->spirv);
     const Layouts cpp = of_cpp();

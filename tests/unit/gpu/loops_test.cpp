@@ -29,8 +29,9 @@ std::uint32_t nested(std::uint32_t n) {
 
 TEST_F(GpuLoops, KeepTheValuesOfLanesThatLeftEarlier) {
     Device& d = device();
-    const auto words = as<std::uint32_t>(
-        run(d, "loops", {COUNT, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, d.workgroup_size()}}, COUNT, COUNT * ROW * 4));
+    const auto words =
+        as<std::uint32_t>(run(d, "loops", {COUNT, 0, 0}, {{shared::SPEC_WORKGROUP_SIZE, d.workgroup_size()}},
+                              COUNT, COUNT * ROW * 4));
     for (std::uint32_t i = 0; i < COUNT; ++i) {
         std::uint32_t trips = 0;
         std::uint32_t peak = i + 1;

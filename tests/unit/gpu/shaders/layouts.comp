@@ -1,5 +1,5 @@
-// For tests, never run: mentions every struct that C++ and GLSL share, so that layouts_test.cpp can read from this
-// module where each member lies.
+// For tests, never run: mentions every struct that C++ and GLSL share, so that layouts_test.cpp can read from
+// this module where each member lies.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "core/variants.glsl"
@@ -57,10 +57,11 @@ MENTION(ShadeArgs)
 #define USE(T) +block_##T.at.length()
 
 void main() {
-    const int total = 0 USE(BvhNode) USE(TriangleRecord) USE(FilmPixel) USE(AovPixel) USE(Diagnostics) USE(TableWord)
-        USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension) USE(InstanceRecord)
-        USE(LightRecord) USE(AliasEntry) USE(MaterialRecord) USE(TextureRecord) USE(PathState) USE(ShadowRay)
-        USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs) USE(AlbedoArgs) USE(AoArgs) USE(AovArgs)
-        USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs) USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
+    const int total = 0 USE(BvhNode) USE(TriangleRecord) USE(FilmPixel) USE(AovPixel) USE(Diagnostics)
+        USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
+        USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(MaterialRecord) USE(TextureRecord)
+        USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
+        USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
+        USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
     block_Texel.at[0].rgba8 = uint(total);
 }

@@ -1,6 +1,7 @@
-// For tests: the two loop forms that kernels may use, with lanes that leave at different trips. Values are made inside
-// the loop and used after it, which is what Mesa 22.3.6 gets wrong in do-while loops and in loops that break at their
-// end. Collatz: out[4 i ..] = trips and peak by `for` with break, trips and peak by `while`.
+// For tests: the two loop forms that kernels may use, with lanes that leave at different trips. Values are
+// made inside the loop and used after it, which is what Mesa 22.3.6 gets wrong in do-while loops and in loops
+// that break at their end. Collatz: out[4 i ..] = trips and peak by `for` with break, trips and peak by
+// `while`.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "core/variants.glsl"

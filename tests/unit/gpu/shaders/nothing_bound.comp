@@ -12,8 +12,9 @@ layout(set = 0, binding = BIND_FILM, scalar) buffer B5 { uint at[]; } b5;
 
 void main() {
     if (gl_GlobalInvocationID.x != 0u) return;
-    const uvec4 tables = fetch_node(0) | fetch_triangle(0) | fetch_surface(0) | fetch_instance(0) | fetch_material(0) |
-                         fetch_light(0) | fetch_environment(0) | floatBitsToUint(fetch_texel(0));
+    const uvec4 tables = fetch_node(0) | fetch_triangle(0) | fetch_surface(0) | fetch_instance(0) |
+                         fetch_material(0) | fetch_light(0) | fetch_environment(0) |
+                         floatBitsToUint(fetch_texel(0));
     result.at[0] = tables.x | tables.y | tables.z | tables.w | b2.at[0] | b3.at[0] | b4.at[0] | b5.at[0] |
                    frame.width | frame.seed;
 }
