@@ -1,4 +1,4 @@
-# Compiles kernels (*.comp) to SPIR-V and embeds them. Editing an included file recompiles the kernels it is in.
+# Compiles kernels (*.comp) to SPIR-V and embeds them. Editing any included file recompiles what includes it.
 #
 #   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ...)
 #
