@@ -50,14 +50,18 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(small_scenes()),
 TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
     const Scene scene = GetParam().build();
     const Image reference = render(scene, odd_settings());
-    for (const std::uint32_t segment : {64u, 256u, 1024u})
-        for (const std::uint32_t pool : {1u, 3000u, 1u << 16}) {
-            RenderSettings settings = odd_settings();
-            settings.segment_paths = segment;
-            settings.pool_paths = pool;
-            SCOPED_TRACE(testing::Message() << "segments of " << segment << ", pool of " << pool);
-            expect_same_bits(reference, render(scene, settings));
-        }
+    struct Choice {
+        std::uint32_t segment, pool;
+    };
+    // A pool of one segment, one that the picture does not fill evenly, and one that holds everything at once.
+    for (const auto& [segment, pool] :
+         {Choice{64, 1}, Choice{64, 3000}, Choice{256, 1u << 16}, Choice{1024, 3000}}) {
+        RenderSettings settings = odd_settings();
+        settings.segment_paths = segment;
+        settings.pool_paths = pool;
+        SCOPED_TRACE(testing::Message() << "segments of " << segment << ", pool of " << pool);
+        expect_same_bits(reference, render(scene, settings));
+    }
     RenderSettings settings = odd_settings();
     settings.slice_seconds = 1e-6; // as short as slices get
     settings.pool_paths = 3000;

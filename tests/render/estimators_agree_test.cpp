@@ -23,23 +23,23 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EstimatorsAgree, testing::ValuesIn(small_scenes
 
 TEST_P(EstimatorsAgree, OnTheMean) {
     const Scene scene = GetParam().build();
-    RenderSettings reference_settings = settings(1, 256);
+    RenderSettings reference_settings = settings(1, 128);
     const Image reference = render(scene, reference_settings);
 
-    RenderSettings other = settings(2, 512);
+    RenderSettings other = settings(2, 256);
     other.strategy = "bsdf";
     expect_equal_means(reference, render(scene, other), "mis and bsdf");
 
-    other = settings(3, 512);
+    other = settings(3, 256);
     other.integrator = "naive";
     expect_equal_means(reference, render(scene, other), "mis and naive");
 
-    other = settings(4, 256);
+    other = settings(4, 128);
     other.light_sampler = "uniform";
     expect_equal_means(reference, render(scene, other), "power and uniform");
 
     if (!GetParam().light_alone) return;
-    other = settings(5, 256);
+    other = settings(5, 128);
     other.strategy = "light";
     expect_equal_means(reference, render(scene, other), "mis and light");
 }

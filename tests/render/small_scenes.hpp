@@ -3,6 +3,7 @@
 
 #include "scene/scene.hpp"
 
+#include <ostream>
 #include <span>
 
 namespace ajar::test {
@@ -14,5 +15,8 @@ struct SmallScene {
 };
 
 std::span<const SmallScene> small_scenes();
+
+// How GoogleTest names one.
+inline void PrintTo(const SmallScene& scene, std::ostream* out) { *out << scene.name; }
 
 } // namespace ajar::test
