@@ -1,37 +1,11 @@
 // meshopt and Draco: what their own encoders write is read back; what they would not survive is refused.
-#include "unit/import/gltf_builder.hpp"
+#include "unit/import/compressed_files.hpp"
 
-#include <draco/compression/encode.h>
-#include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
 namespace ajar::test {
 namespace {
-
-// A buffer view that says: this is what the compressed bytes hold.
-unsigned compressed_view(GltfBuilder& b, const std::vector<unsigned char>& bytes, std::size_t count, std::size_t stride,
-                         const char* mode, const char* filter = "NONE", const char* name = "EXT_meshopt_compression") {
-    const unsigned raw = b.view(bytes);
-    nlohmann::json extension = b.json["bufferViews"][raw];
-    extension["count"] = count;
-    extension["byteStride"] = stride;
-    extension["mode"] = mode;
-    extension["filter"] = filter;
-    b.json["bufferViews"][raw] = {{"buffer", 1}, {"byteLength", count * stride}, {"extensions", {{name, extension}}}};
-    // The fallback buffer has no bytes anywhere, as gltfpack writes it.
-    b.json["buffers"] = {{{"byteLength", b.bin.size()}}, {{"byteLength", count * stride}}};
-    return raw;
-}
-
-template <class T> std::vector<unsigned char> encode_vertices(const std::vector<T>& vertices) {
-    std::vector<unsigned char> bytes(meshopt_encodeVertexBufferBound(vertices.size(), sizeof(T)));
-    bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), vertices.data(), vertices.size(), sizeof(T)));
-    return bytes;
-}
-
-const std::vector<glm::vec3> SQUARE{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-const std::vector<std::uint32_t> SQUARE_INDICES{0, 1, 2, 2, 1, 3};
 
 GltfBuilder square_with_indices(const std::vector<unsigned char>& bytes, const char* mode) {
     GltfBuilder b;
@@ -124,39 +98,6 @@ TEST(Meshopt, RejectsDamagedStreamsAndImpossibleSizes) {
     }
     b.json = good;
     EXPECT_EQ(import_error(b), "");
-}
-
-// The square as a Draco stream with attributes 0 (positions) and 1 (normals).
-std::vector<char> draco_square() {
-    draco::TriangleSoupMeshBuilder builder;
-    builder.Start(2);
-    const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
-    const int normal = builder.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
-    const glm::vec3 up(0, 0, 1);
-    for (unsigned f = 0; f < 2; ++f) {
-        const draco::FaceIndex face(f);
-        builder.SetAttributeValuesForFace(position, face, &SQUARE[SQUARE_INDICES[3 * f]].x,
-                                          &SQUARE[SQUARE_INDICES[3 * f + 1]].x, &SQUARE[SQUARE_INDICES[3 * f + 2]].x);
-        builder.SetAttributeValuesForFace(normal, face, &up.x, &up.x, &up.x);
-    }
-    const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
-    draco::EncoderBuffer buffer;
-    draco::Encoder encoder;
-    EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
-    return {buffer.data(), buffer.data() + buffer.size()};
-}
-
-GltfBuilder draco_file(const std::vector<char>& stream) {
-    GltfBuilder b;
-    const unsigned view = b.view(stream);
-    const unsigned position = b.push("accessors", {{"componentType", F32}, {"count", 4}, {"type", "VEC3"}});
-    const unsigned normal = b.push("accessors", {{"componentType", F32}, {"count", 4}, {"type", "VEC3"}});
-    const unsigned index = b.push("accessors", {{"componentType", U16}, {"count", 6}, {"type", "SCALAR"}});
-    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", index},
-            {"extensions", {{"KHR_draco_mesh_compression",
-                             {{"bufferView", view}, {"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}}}}}});
-    b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    return b;
 }
 
 TEST(Draco, DecodesAPrimitive) {
