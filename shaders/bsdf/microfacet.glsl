@@ -30,8 +30,9 @@ MicrofacetValue microfacet_eval(float alpha, vec3 wo, vec3 wi) {
     const float hxy2 = h.x * h.x + h.y * h.y;
     // D = 1 / (pi alpha^2 (tan^2 / alpha^2 + 1)^2 cos^4), written without 1 - cos^2, which has no digits left
     // in a mirror.
-    const float e = (hxy2 + a2 * h.z * h.z) / h_length2;
-    const float d = a2 * MATH_INV_PI / max(e * e, 1e-30);
+    // e lies in [alpha^2, 1]; below, the squares of h have underflowed: wo and wi graze from opposite sides.
+    const float e = max((hxy2 + a2 * h.z * h.z) / h_length2, a2);
+    const float d = a2 * MATH_INV_PI / (e * e);
     const float wo_slope = sqrt(a2 + (1.0 - a2) * wo.z * wo.z);
     const float wi_slope = sqrt(a2 + (1.0 - a2) * wi.z * wi.z);
     // G2 / (4 cos cos).

@@ -25,9 +25,11 @@ vec3 shading_normal_adapt(vec3 n, vec3 ng, vec3 wo) {
     const bool good = mirror_z >= height && n_z > 0.0 && n_x * wo_x + n_z * wo_z > 0.0;
     const float r = sqrt(max(wo_x * wo_x + wo_z * wo_z, 1e-20));
     const float cos_arc = height / r;
-    const float cos_2theta = (wo_z * cos_arc - wo_x * math_safe_sqrt(1.0 - cos_arc * cos_arc)) / r;
-    const float cos_theta = math_safe_sqrt(0.5 + 0.5 * cos_2theta);
-    const vec3 bent = ng * cos_theta + x_axis * math_safe_sqrt(0.5 - 0.5 * cos_2theta);
+    const float sin_arc = math_safe_sqrt(1.0 - cos_arc * cos_arc);
+    const float cos_2theta = (wo_z * cos_arc - wo_x * sin_arc) / r;
+    const float sin_2theta = max((wo_z * sin_arc + wo_x * cos_arc) / r, 1e-10); // 0 only where wo_z is
+    // Halved by bisecting: arccosines and half-angle formulas lose digits at one end or the other.
+    const vec3 bent = normalize(ng * (1.0 + cos_2theta) + x_axis * sin_2theta);
     return good || n_x < 1e-6 ? (n_z > 0.0 ? n : ng) : bent;
 }
 

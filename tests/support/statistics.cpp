@@ -45,7 +45,9 @@ double sidak_level(double level, std::size_t tests) {
     return -std::expm1(std::log1p(-level) / static_cast<double>(tests));
 }
 
-double chi_square_tail(double statistic, double degrees) { return gamma_tail(0.5 * degrees, 0.5 * statistic); }
+double chi_square_tail(double statistic, double degrees) {
+    return gamma_tail(0.5 * degrees, 0.5 * statistic);
+}
 
 double normal_two_sided(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
 
@@ -53,7 +55,8 @@ ChiSquare chi_square(std::span<const double> observed, std::span<const double> e
     assert(observed.size() == expected.size());
     std::vector<std::size_t> order(expected.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return expected[a] < expected[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return expected[a] < expected[b]; });
 
     ChiSquare result;
     std::size_t pools = 0;

@@ -34,7 +34,7 @@ class Moments {
     void add(double x);
     std::size_t count() const { return count_; }
     double mean() const { return mean_; }
-    double variance() const; // of one sample, unbiased
+    double variance() const;       // of one sample, unbiased
     double standard_error() const; // of the mean
 
   private:

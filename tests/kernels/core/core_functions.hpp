@@ -27,7 +27,8 @@ class CoreFunctions : public GpuTest {
         gpu::Commands commands(device());
         commands.bind(bindings);
         const auto count = static_cast<std::uint32_t>(items.size());
-        kernel.dispatch(commands, {{in.address()}, {out.address()}, parameters, count, 0}, groups_of(items.size()));
+        kernel.dispatch(commands, {{in.address()}, {out.address()}, parameters, count, 0},
+                        groups_of(items.size()));
         commands.submit();
         return out.read<glm::uvec4>(0, items.size());
     }

@@ -50,8 +50,10 @@ TEST_F(CoreFunction, HashesToUniformFloats) {
     std::mt19937 random(8); // salts are random bits, triangles and instances small numbers
     std::vector<glm::uvec4> items;
     for (std::uint32_t k = 0; k < 1 << 18; ++k) {
-        if ((k & 511u) == 0) items.emplace_back(static_cast<std::uint32_t>(random()), 0, k >> 9 & 3u, 0);
-        else items.emplace_back(items.back().x, k & 511u, items.back().z, 0);
+        if ((k & 511u) == 0)
+            items.emplace_back(static_cast<std::uint32_t>(random()), 0, k >> 9 & 3u, 0);
+        else
+            items.emplace_back(items.back().x, k & 511u, items.back().z, 0);
     }
     const auto hashes = run(shared::CORE_HASH, items);
     for (const int column : {1, 3}) { // combine, salted_float
@@ -84,7 +86,9 @@ TEST_F(CoreFunction, DecodesOctahedralVectors) {
     const auto encode = [](const glm::dvec3& n) {
         glm::dvec2 p = glm::dvec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
         if (n.z < 0) p = {(1 - std::abs(p.y)) * (p.x < 0 ? -1 : 1), (1 - std::abs(p.x)) * (p.y < 0 ? -1 : 1)};
-        const auto snorm = [](double x) { return static_cast<std::uint32_t>(std::lround(x * 32767)) & 0xffffu; };
+        const auto snorm = [](double x) {
+            return static_cast<std::uint32_t>(std::lround(x * 32767)) & 0xffffu;
+        };
         return snorm(p.x) | snorm(p.y) << 16;
     };
     const auto all = directions();
@@ -102,7 +106,8 @@ TEST_F(CoreFunction, DecodesOctahedralVectors) {
 
 TEST_F(CoreFunction, DecodesAnyOctahedralCodeToAUnitVector) {
     std::mt19937 random(6);
-    std::vector<glm::uvec4> codes{{0, 0, 0, 0}, {0x80008000u, 0, 0, 0}, {0x7fff7fffu, 0, 0, 0}, {0x80007fffu, 0, 0, 0}};
+    std::vector<glm::uvec4> codes{
+        {0, 0, 0, 0}, {0x80008000u, 0, 0, 0}, {0x7fff7fffu, 0, 0, 0}, {0x80007fffu, 0, 0, 0}};
     for (int k = 0; k < 100'000; ++k) codes.emplace_back(static_cast<std::uint32_t>(random()), 0, 0, 0);
     for (const glm::uvec4& word : run(shared::CORE_OCTAHEDRAL, codes))
         ASSERT_NEAR(glm::length(glm::vec3(std::bit_cast<glm::vec4>(word))), 1, 1e-6);
@@ -132,8 +137,8 @@ TEST_F(CoreFunction, FramesFollowATangentAndSurviveAUselessOne) {
     const float infinity = std::numeric_limits<float>::infinity();
     auto all = directions();
     for (const float handedness : {1.0f, -1.0f}) {
-        for (const glm::vec3 tangent : {glm::vec3(1, 0, 0), glm::vec3(0.6f, -3, 0.2f), glm::vec3(0), glm::vec3(NAN),
-                                        glm::vec3(infinity)}) {
+        for (const glm::vec3 tangent : {glm::vec3(1, 0, 0), glm::vec3(0.6f, -3, 0.2f), glm::vec3(0),
+                                        glm::vec3(NAN), glm::vec3(infinity)}) {
             for (glm::vec4& n : all) n.w = handedness;
             const auto frames = run(shared::CORE_FRAME_TANGENT, all, glm::vec4(tangent, 0));
             for (std::size_t k = 0; k < all.size(); ++k) {
@@ -156,14 +161,15 @@ TEST_F(CoreFunction, ErfinvInvertsErf) {
     for (int k = -4096; k <= 4096; ++k) items.emplace_back(static_cast<float>(k) / 4097.0f);
     items.emplace_back(LARGEST_UNIFORM);
     const auto results = run(shared::CORE_ERFINV, items);
-    for (std::size_t k = 0; k < items.size(); ++k) ASSERT_NEAR(std::erf(double(results[k].x)), items[k].x, 2e-7);
+    for (std::size_t k = 0; k < items.size(); ++k)
+        ASSERT_NEAR(std::erf(double(results[k].x)), items[k].x, 2e-7);
 }
 
 TEST_F(CoreFunction, FiniteKnowsNanAndInf) {
     const float infinity = std::numeric_limits<float>::infinity();
-    const std::vector<glm::vec4> items{{0, 0, 0, 0},        {1e38f, -1e38f, 1e38f, 0}, {NAN, 0, 0, 0},
-                                       {0, infinity, 0, 0}, {0, 0, -infinity, 0},      {infinity, -infinity, 0, 0},
-                                       {0, 0, NAN, 0}};
+    const std::vector<glm::vec4> items{
+        {0, 0, 0, 0},         {1e38f, -1e38f, 1e38f, 0},   {NAN, 0, 0, 0}, {0, infinity, 0, 0},
+        {0, 0, -infinity, 0}, {infinity, -infinity, 0, 0}, {0, 0, NAN, 0}};
     const auto results = run(shared::CORE_FINITE, items);
     for (std::size_t k = 0; k < items.size(); ++k) EXPECT_EQ(results[k].x, k < 2 ? 1.0f : 0.0f) << k;
 }

