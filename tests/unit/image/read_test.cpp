@@ -142,6 +142,13 @@ TEST(TextureDecoding, RefusesABombByItsHeaderAtOnce) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
+TEST(TextureDecoding, RefusesASizeThatSoFewBytesCannotHold) {
+    // Below the limit of pixels, but deflate cannot pack 192 MB into the few bytes there are.
+    const Bytes png = make_png({.width = 8000, .height = 8000, .color_type = 2, .samples = {}});
+    const std::string error = error_of([&] { decode(png); });
+    EXPECT_NE(error.find("cannot hold"), std::string::npos) << error;
+}
+
 TEST(ImageFile, GivesOneLineForWhatIsNoFile) {
     const Folder folder;
     write_file(folder / "empty.exr", "");
@@ -174,7 +181,7 @@ TEST(ImageFile, SurvivesFlippedBytes) {
         write_image(folder / name, image);
         const Bytes whole = read_file(folder / name);
         constexpr std::byte flips[] = {std::byte{0xff}, std::byte{0x01}, std::byte{0x80}};
-        for (std::size_t at = 0; at < std::min<std::size_t>(whole.size(), 700); ++at) {
+        for (std::size_t at = 0; at < std::min<std::size_t>(whole.size(), 700); at += at < 50 ? 1 : 4) {
             Bytes broken = whole;
             broken[at] ^= flips[at % 3];
             write_file(folder / "broken", broken);
