@@ -2,6 +2,7 @@
 #ifndef AJAR_SEGMENT_GLSL
 #define AJAR_SEGMENT_GLSL
 #include "../shared/segment_args.glsl.h"
+#include "sampler.glsl"
 #include "tables.glsl"
 #include "workgroup.glsl"
 
@@ -21,16 +22,19 @@ uint segment_fill(SegmentArgs args, uint segment) {
 }
 
 struct PathOwner {
-    uvec2 pixel;
+    uint ordinal; // of the pixel
     uint sample_index;
 };
 
 PathOwner segment_owner(SegmentArgs args, uint home) {
-    uint packed_pixel = frame.pixel_order.at[args.first_ordinal + (home >> args.samples_log2)].packed;
-    PathOwner owner;
-    owner.pixel = uvec2(packed_pixel & 0xffffu, packed_pixel >> 16);
-    owner.sample_index = args.first_sample + (home & ((1u << args.samples_log2) - 1u));
-    return owner;
+    return PathOwner(args.first_ordinal + (home >> args.samples_log2),
+                     args.first_sample + (home & ((1u << args.samples_log2) - 1u)));
+}
+
+// The points of a path. Its pixel enters by ordinal, which needs no look-up.
+Sampler segment_sampler(SegmentArgs args, uint home) {
+    PathOwner owner = segment_owner(args, home);
+    return sampler_begin(frame.seed, owner.ordinal, owner.sample_index);
 }
 
 #endif

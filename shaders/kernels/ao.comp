@@ -13,8 +13,7 @@ layout(push_constant, scalar) uniform ArgsBlock { AoArgs args; };
 
 ShadowRay occlusion_ray(PathState path) {
     Vertex v = vertex_at(path);
-    PathOwner owner = segment_owner(args.segments, path.home);
-    Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+    Sampler points = segment_sampler(args.segments, path.home);
     vec3 wi = warps_cosine_hemisphere(sampler_2d(points, sampler_bounce(0u) + DIM_BSDF));
     ShadowRay ray;
     ray.origin = v.surface.position;

@@ -28,10 +28,11 @@ void main() {
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         uint home = first + i;
         PathOwner owner = segment_owner(args.segments, home);
-        Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+        uint pixel = frame.pixel_order.at[owner.ordinal].packed;
+        Sampler points = segment_sampler(args.segments, home);
         vec2 offset = filter_sample(OPTION, frame.filter_radius, sampler_2d(points, DIM_PIXEL));
         PathState path;
-        camera_ray(vec2(owner.pixel) + 0.5 + offset, path.origin, path.direction);
+        camera_ray(vec2(pixel & 0xffffu, pixel >> 16) + 0.5 + offset, path.origin, path.direction);
         path.home = home;
         path.pdf = 0.0;
         path.beta = vec3(1.0);

@@ -32,8 +32,7 @@ bool bounce(inout PathState path) {
         emission = vertex_emission(v);
         bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
-            PathOwner owner = segment_owner(args.segments, path.home);
-            Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+            Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
             BsdfSample next = sample_direction(v, points, dimension);
             path.origin = v.surface.position;

@@ -61,19 +61,19 @@ bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out
     ray.instance = path.instance;
     ray.light_triangle = light.triangle;
     ray.light_instance = light.instance;
-    ray.salt = rng_combine(path.salt, dimension);
+    ray.salt = has_feature(FEATURE_ALPHA) ? rng_combine(path.salt, dimension) : 0u;
     return above && any(greaterThan(ray.contribution, vec3(0.0)));
 }
 
 // The next direction, into `path`. False when the path ends: absorbed, or by Russian roulette.
 bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
-    BsdfSample next = bsdf_sample(v.bsdf, v.wo, sampler_2d(points, dimension + DIM_BSDF),
-                                  sampler_1d(points, dimension + DIM_BSDF_LOBE));
+    float u_lobe = has_feature(FEATURE_SPECULAR) ? sampler_1d(points, dimension + DIM_BSDF_LOBE) : 0.0;
+    BsdfSample next = bsdf_sample(v.bsdf, v.wo, sampler_2d(points, dimension + DIM_BSDF), u_lobe);
     path.direction = frame_to_world(v.frame, next.wi);
     path.origin = v.surface.position;
     path.pdf = next.delta ? 0.0 : next.pdf;
     path.beta *= next.weight;
-    path.salt = rng_combine(path.salt, dimension + 1u);
+    path.salt = has_feature(FEATURE_ALPHA) ? rng_combine(path.salt, dimension + 1u) : 0u;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
     if (args.segments.bounce >= frame.rr_depth) {
         float survival = min(math_max3(path.beta), 1.0);
@@ -95,8 +95,7 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
         emission = met_emission(path, v);
         bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
-            PathOwner owner = segment_owner(args.segments, path.home);
-            Sampler points = sampler_begin(frame.seed, owner.pixel.x | owner.pixel.y << 16, owner.sample_index);
+            Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
             if (STRATEGY != STRATEGY_BSDF) connects = connect_light(path, v, points, dimension, ray);
             alive = scatter(path, v, points, dimension);
