@@ -1,4 +1,4 @@
-// The density of a texel is in proportion to the bilinear lookup's luminance averaged over it, so it is
+// The density of a cell is in proportion to the bilinear lookup's luminance averaged over it, so it is
 // positive wherever the lookup is: the environment is never missed, and its bright spots are found in
 // proportion.
 #include "render/environment_table.hpp"
@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "render/alias_table.hpp"
 #include "render/luminance.hpp"
+#include "shaders/shared/light.glsl.h"
 
 #include <algorithm>
 #include <bit>
@@ -39,91 +40,124 @@ std::vector<double> smoothed_rows(const Environment& environment) {
     return smooth;
 }
 
-// Words of a tree's level whose nodes span 4^level entries.
+constexpr std::uint32_t UNITS = 65536;
+
+// Nodes of a tree's level, each of which spans 8^level entries.
 std::uint32_t level_nodes(std::uint32_t count, std::uint32_t level) {
-    return ((count - 1) >> (2 * level)) + 1;
+    return ((count - 1) >> (3 * level)) + 1;
+}
+
+// Between the tops of two rows, all around, in sr: 2 pi (cos a - cos b), as a product that does not cancel.
+double band_solid_angle(std::uint32_t height, std::uint32_t top, std::uint32_t bottom) {
+    const double step = 0.5 * std::numbers::pi / height;
+    return 4 * std::numbers::pi * std::sin((bottom + top) * step) * std::sin((bottom - top) * step);
+}
+
+// The cells of a map, and how much each of them sends, up to a common factor.
+struct Cells {
+    std::uint32_t shift = 0;
+    std::uint32_t columns = 0;
+    std::uint32_t rows = 0;
+    std::vector<double> powers; // columns * rows
+};
+
+Cells measure_cells(const Environment& environment) {
+    const std::size_t width = environment.width;
+    const std::uint32_t height = environment.height;
+    Cells cells;
+    const auto bits =
+        static_cast<std::uint32_t>(std::bit_width(std::max({environment.width, height, 2u}) - 1u));
+    cells.shift = bits - std::min(bits, std::uint32_t{shared::ENVIRONMENT_CELL_BITS});
+    cells.columns = ((environment.width - 1) >> cells.shift) + 1;
+    cells.rows = ((height - 1) >> cells.shift) + 1;
+    cells.powers.resize(std::size_t{cells.columns} * cells.rows);
+    const std::vector<double> smooth = smoothed_rows(environment);
+    tbb::parallel_for(std::uint32_t{0}, cells.rows, [&](std::uint32_t row) {
+        double* out = &cells.powers[std::size_t{row} * cells.columns];
+        for (std::uint32_t y = row << cells.shift; y < std::min((row + 1) << cells.shift, height); ++y) {
+            const double* above = &smooth[(y > 0 ? y - 1 : 0) * width];
+            const double* here = &smooth[y * width];
+            const double* below = &smooth[std::min(y + 1, height - 1) * width];
+            const double solid_angle = band_solid_angle(height, y, y + 1);
+            for (std::size_t x = 0; x < width; ++x)
+                out[x >> cells.shift] += solid_angle * (0.75 * here[x] + 0.125 * (above[x] + below[x]));
+        }
+    });
+    return cells;
 }
 
 } // namespace
 
-double environment_texel_solid_angle(std::uint32_t width, std::uint32_t height, std::uint32_t row) {
-    // 2 pi (cos a - cos b) / width, as a product that does not cancel.
-    const double step = std::numbers::pi / height;
-    return 4 * std::numbers::pi / width * std::sin((row + 0.5) * step) * std::sin(0.5 * step);
+std::vector<std::uint32_t> environment_masses(std::span<const double> weights) {
+    std::vector<std::uint32_t> masses = apportion(weights, UNITS - 1);
+    const auto last =
+        std::find_if(masses.rbegin(), masses.rend(), [](std::uint32_t mass) { return mass > 0; });
+    if (last != masses.rend()) ++*last;
+    return masses;
 }
 
-void append_search_trees(std::vector<glm::uvec4>& words, const std::vector<std::uint32_t>& masses,
+void append_search_trees(std::vector<glm::uvec4>& words, std::span<const std::uint32_t> masses,
                          std::uint32_t rows, std::uint32_t count) {
-    const auto levels = static_cast<std::uint32_t>((std::bit_width(std::max(count, 2u) - 1u) - 1) / 2 + 1);
-    std::size_t first = words.size();
-    std::size_t size = first;
-    for (std::uint32_t level = levels; level > 0; --level)
-        size += std::size_t{rows} * level_nodes(count, level);
-    words.resize(size);
+    const auto levels = static_cast<std::uint32_t>((std::bit_width(std::max(count, 2u) - 1u) - 1) / 3 + 1);
     for (std::uint32_t level = levels; level > 0; --level) {
         const std::uint32_t nodes = level_nodes(count, level);
-        const std::uint32_t shift = 2 * (level - 1);
+        const std::uint32_t shift = 3 * (level - 1);
+        const std::size_t first = words.size();
+        words.resize(first + std::size_t{rows} * nodes);
         tbb::parallel_for(std::uint32_t{0}, rows, [&](std::uint32_t row) {
             const std::uint32_t* mass = masses.data() + std::size_t{row} * count;
             glm::uvec4* out = words.data() + first + std::size_t{row} * nodes;
             std::uint32_t sum = 0;
             std::uint64_t entry = 0;
-            for (std::uint32_t child = 0; child < 4 * nodes; ++child) {
+            for (std::uint32_t child = 0; child < 8 * nodes; ++child) {
                 for (; entry < std::min<std::uint64_t>(std::uint64_t{child} << shift, count); ++entry)
                     sum += mass[entry];
-                out[child / 4][static_cast<int>(child % 4)] = sum;
+                out[child / 8][static_cast<int>(child % 8 / 2)] |= std::min(sum, UNITS - 1)
+                                                                   << (child % 2 * 16);
             }
         });
-        first += std::size_t{rows} * nodes;
     }
 }
 
 EnvironmentTable build_environment_table(const Environment& environment) {
     EnvironmentTable table;
     if (environment.radiance.empty()) return table;
+    if (std::max(environment.width, environment.height) > 65536)
+        throw Error("environment '" + environment.name + "': more than 65536 texels across (scale it down)");
+    const Cells cells = measure_cells(environment);
     table.width = environment.width;
     table.height = environment.height;
-    if (std::max(table.width, table.height) > 65536)
-        throw Error("environment '" + environment.name + "': more than 65536 texels across (scale it down)");
-    const std::size_t width = table.width;
-    const std::size_t height = table.height;
-    const std::vector<double> smooth = smoothed_rows(environment);
+    table.cell_shift = cells.shift;
 
-    std::vector<double> row_power(height);
-    std::vector<std::uint32_t> columns(width * height);
-    tbb::parallel_for(std::size_t{0}, height, [&](std::size_t y) {
-        const std::size_t above = y > 0 ? y - 1 : 0;
-        const std::size_t below = std::min(y + 1, height - 1);
-        std::vector<double> weights(width);
-        double sum = 0;
-        for (std::size_t x = 0; x < width; ++x) {
-            weights[x] = 0.75 * smooth[y * width + x] +
-                         0.125 * (smooth[above * width + x] + smooth[below * width + x]);
-            sum += weights[x];
-        }
-        row_power[y] =
-            sum * environment_texel_solid_angle(table.width, table.height, static_cast<std::uint32_t>(y));
-        const std::vector<std::uint32_t> masses = apportion(weights, PROBABILITY_UNITS);
-        std::copy(masses.begin(), masses.end(), columns.begin() + static_cast<std::ptrdiff_t>(y * width));
+    std::vector<double> row_powers(cells.rows);
+    std::vector<std::uint32_t> columns(cells.powers.size());
+    tbb::parallel_for(std::uint32_t{0}, cells.rows, [&](std::uint32_t row) {
+        const std::span powers(&cells.powers[std::size_t{row} * cells.columns], cells.columns);
+        for (const double power : powers) row_powers[row] += power;
+        const std::vector<std::uint32_t> masses = environment_masses(powers);
+        std::copy(masses.begin(), masses.end(), columns.begin() + std::ptrdiff_t{row} * cells.columns);
     });
-    const std::vector<std::uint32_t> rows = apportion(row_power, PROBABILITY_UNITS);
+    const std::vector<std::uint32_t> rows = environment_masses(row_powers);
 
-    table.words.resize(width * height);
-    for (std::size_t y = 0; y < height; ++y) {
-        const double solid_angle =
-            environment_texel_solid_angle(table.width, table.height, static_cast<std::uint32_t>(y));
-        const double row_density =
-            rows[y] / double{PROBABILITY_UNITS} / double{PROBABILITY_UNITS} / solid_angle;
-        for (std::size_t x = 0; x < width; ++x) {
-            const glm::vec3 radiance = clean(environment.radiance[y * width + x]);
-            const auto density = static_cast<float>(row_density * columns[y * width + x]);
-            table.words[y * width + x] = {
-                std::bit_cast<std::uint32_t>(radiance.x), std::bit_cast<std::uint32_t>(radiance.y),
-                std::bit_cast<std::uint32_t>(radiance.z), std::bit_cast<std::uint32_t>(density)};
+    const std::uint32_t side = 1u << cells.shift;
+    table.words.resize(environment.radiance.size());
+    tbb::parallel_for(std::uint32_t{0}, table.height, [&](std::uint32_t y) {
+        const std::uint32_t row = y >> cells.shift;
+        const std::uint32_t top = row << cells.shift;
+        const double band = band_solid_angle(table.height, top, std::min(top + side, table.height));
+        for (std::uint32_t x = 0; x < table.width; ++x) {
+            const std::uint32_t column = x >> cells.shift;
+            const std::uint32_t cell_width = std::min(side, table.width - (column << cells.shift));
+            const double units = 1.0 * rows[row] * columns[std::size_t{row} * cells.columns + column];
+            const auto density =
+                static_cast<float>(units / (1.0 * UNITS * UNITS) / (band * cell_width / table.width));
+            const std::size_t texel = std::size_t{y} * table.width + x;
+            table.words[texel] =
+                std::bit_cast<glm::uvec4>(glm::vec4(clean(environment.radiance[texel]), density));
         }
-    }
-    append_search_trees(table.words, rows, 1, table.height);
-    append_search_trees(table.words, columns, table.height, table.width);
+    });
+    append_search_trees(table.words, rows, 1, cells.rows);
+    append_search_trees(table.words, columns, cells.rows, cells.columns);
     return table;
 }
 
@@ -135,7 +169,7 @@ glm::dvec3 mean_radiance(const Environment& environment) {
         glm::dvec3 row(0);
         for (std::uint32_t x = 0; x < environment.width; ++x)
             row += glm::dvec3(clean(environment.radiance[std::size_t{y} * environment.width + x]));
-        total += row * environment_texel_solid_angle(environment.width, environment.height, y);
+        total += row * band_solid_angle(environment.height, y, y + 1) / double(environment.width);
     }
     return scale * total / (4 * std::numbers::pi);
 }

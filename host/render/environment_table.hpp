@@ -7,15 +7,18 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 namespace ajar {
 
 // words: width * height texels (r, g, b, density by solid angle in 1/sr), as floats, rows top to bottom; then
-// the tree over rows; then one tree per row over its columns.
+// the tree over rows of cells; then one tree per such row over its columns. A cell is 2^cell_shift texels
+// wide and high, less at the right and lower border. Its density is that of all its texels.
 struct EnvironmentTable {
     std::uint32_t width = 0; // 0: no map
     std::uint32_t height = 0;
+    std::uint32_t cell_shift = 0;
     std::vector<glm::uvec4> words; // BIND_ENVIRONMENT
 };
 
@@ -25,12 +28,14 @@ EnvironmentTable build_environment_table(const Environment& environment);
 // Mean over the sphere, scale included; the scale alone where there is no map. W/(m^2 sr)
 glm::dvec3 mean_radiance(const Environment& environment);
 
-// Solid angle of one texel of a row, in sr.
-double environment_texel_solid_angle(std::uint32_t width, std::uint32_t height, std::uint32_t row);
+// Integers that sum to 2^16, in proportion to the weights like apportion(); the last positive one is at least
+// 2, so that none but the end lies beyond 65534. All 0 when no weight is positive.
+std::vector<std::uint32_t> environment_masses(std::span<const double> weights);
 
-// Appends `rows` trees over `count` masses each (row after row in `masses`), laid out level by level. A node
-// holds where its four children begin: the sum of the masses before them; beyond the last entry, the total.
-void append_search_trees(std::vector<glm::uvec4>& words, const std::vector<std::uint32_t>& masses,
+// Appends `rows` 8-ary trees over `count` masses each (row after row in `masses`), level by level from the
+// root. A node is eight 16-bit numbers: where its children begin, i.e. the sum of the masses before; 65535
+// for the end.
+void append_search_trees(std::vector<glm::uvec4>& words, std::span<const std::uint32_t> masses,
                          std::uint32_t rows, std::uint32_t count);
 
 } // namespace ajar

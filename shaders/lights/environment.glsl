@@ -1,7 +1,7 @@
 // Light from all around: an equirectangular map, importance-sampled by inversion of its marginal and
-// conditional distributions, or a constant. The lookup is bilinear; the density is constant over each texel's
-// solid angle, in proportion to the bilinear radiance averaged over it (environment_table.hpp; Pharr et al.
-// 2023, section 12.5).
+// conditional distributions, or a constant. The lookup is bilinear; the density is constant over each cell's
+// solid angle (a cell is a texel, or some of a large map), in proportion to the bilinear radiance averaged
+// over it (environment_table.hpp; Pharr et al. 2023, section 12.5).
 #ifndef AJAR_LIGHTS_ENVIRONMENT_GLSL
 #define AJAR_LIGHTS_ENVIRONMENT_GLSL
 #include "../core/warps.glsl"
@@ -58,54 +58,73 @@ float light_pdf_environment(vec3 direction) { return environment_lookup(directio
 
 struct EnvironmentStep {
     uint index;     // whose interval of the cumulative distribution holds u
-    float fraction; // of that interval below u, [0, 1]
+    float fraction; // of that interval below u, [0, 1)
 };
 
-// Inverts one of `rows` distributions over `count` entries. They are 4-ary trees from word `first` on, level
-// by level, all rows' nodes of a level together; a node holds where its four children begin, in units of
-// 2^-24. `first` moves on to what follows the trees. All lanes take the same number of steps.
+// Inverts one of `rows` distributions over `count` entries. They are 8-ary trees from word `first` on, level
+// by level, all rows' nodes of a level together; a node is eight 16-bit numbers: where its children begin, in
+// units of 2^-16 (environment_table.hpp). `first` moves on to what follows the trees. All lanes take the same
+// steps.
 EnvironmentStep environment_invert(inout uint first, uint rows, uint row, uint count, float u) {
-    const uint target = uint(int(u * 16777216.0));
+    const float scaled = u * 65536.0;
+    const int target = min(int(scaled), 65534); // the last two units are one entry's
     uint index = 0u;
-    uint below = 0xffffffffu; // target minus the begin of its entry
-    uint above = 0xffffffffu; // the begin of the next entry minus target, minus 1
-    const uint levels = uint(findMSB(max(count, 2u) - 1u) >> 1) + 1u; // 4^levels >= count
+    uint ahead = uint(65535 - target); // from the target's end to the next entry's begin
+    uint last_begun = 0u;
+    const uint levels = uint(findMSB(max(count, 2u) - 1u) / 3) + 1u; // 8^levels >= count
     for (uint level = levels; level > 0u; --level) {
-        const uint nodes = ((count - 1u) >> (2u * level)) + 1u;
+        const uint nodes = ((count - 1u) >> (3u * level)) + 1u;
         const uvec4 begins = fetch_environment(first + row * nodes + index);
-        const uvec4 passed = target - begins; // wraps to huge where it begins beyond the target
-        const uvec4 ahead = begins - target - 1u; // and where it does not
-        below = min(below, min(min(passed.x, passed.y), min(passed.z, passed.w)));
-        above = min(above, min(min(ahead.x, ahead.y), min(ahead.z, ahead.w)));
-        index = 4u * index + uint(begins.y <= target) + uint(begins.z <= target) + uint(begins.w <= target);
+        // Negative, so huge as unsigned, for children that begin at the target or before.
+        const uvec4 even = (begins & 0xffffu) - uint(target + 1);
+        const uvec4 odd = (begins >> 16) - uint(target + 1);
+        const uvec4 near = min(even, odd);
+        const uvec4 far = max(even, odd);
+        ahead = min(ahead, min(min(near.x, near.y), min(near.z, near.w)));
+        last_begun = max(max(far.x, far.y), max(far.z, far.w));
+        const ivec4 begun = (ivec4(even) >> 31) + (ivec4(odd) >> 31); // -1 each
+        index = 8u * index - 1u - uint(begun.x + begun.y + begun.z + begun.w);
         first += rows * nodes;
     }
-    // What begins after the last entry is the end, 2^24. Half a unit on: the middle of the u that lead here.
-    const uint mass = below + min(above, 0x00ffffffu - target) + 1u;
-    return EnvironmentStep(index, (float(int(below)) + 0.5) / float(int(mass)));
+    const int begin = target + 1 + int(last_begun);
+    const int next = target + 1 + int(ahead);
+    const int mass = (next == 65535 ? 65536 : next) - begin; // 65535 stands for the end
+    return EnvironmentStep(index, (scaled - float(begin)) / float(mass));
+}
+
+// The distribution is over cells of 2^k x 2^k texels, at most 2^ENVIRONMENT_CELL_BITS across.
+uint environment_cell_shift() {
+    const int bits = findMSB(max(max(frame.environment_width, frame.environment_height), 2u) - 1u) + 1;
+    return uint(max(bits - ENVIRONMENT_CELL_BITS, 0));
 }
 
 LightSample light_environment_map_sample(vec2 u) {
     const uint width = frame.environment_width;
     const uint height = frame.environment_height;
+    const uint shift = environment_cell_shift();
+    const uint columns = ((width - 1u) >> shift) + 1u;
+    const uint rows = ((height - 1u) >> shift) + 1u;
     uint first = width * height;
-    const EnvironmentStep y = environment_invert(first, 1u, 0u, height, u.y);
-    const EnvironmentStep x = environment_invert(first, height, y.index, width, u.x);
+    const EnvironmentStep y = environment_invert(first, 1u, 0u, rows, u.y);
+    const EnvironmentStep x = environment_invert(first, rows, y.index, columns, u.x);
+    const uint left = x.index << shift;
+    const uint top = y.index << shift;
+    const uint right = min(left + (1u << shift), width);
+    const uint bottom = min(top + (1u << shift), height);
 
-    // Uniform by solid angle within the row: sin^2(theta / 2) = (1 - cos theta) / 2 is linear in it. Measured
-    // from the nearer pole, where it keeps its digits.
-    const bool south = 2u * y.index >= height;
-    const float row = float(south ? height - 1u - y.index : y.index);
-    const float fraction = south ? 1.0 - y.fraction : y.fraction;
+    // Uniform by solid angle within the rows: sin^2(theta / 2) = (1 - cos theta) / 2 is linear in it.
+    // Measured from the nearer pole, where it keeps its digits.
+    const bool south = 2u * top >= height;
+    const vec2 row = south ? vec2(height - top, height - bottom) : vec2(top, bottom);
     const float half_step = 0.5 * MATH_PI / float(height);
-    const vec2 edges = sin(half_step * vec2(row, row + 1.0));
-    const float s2 = mix(edges.x * edges.x, edges.y * edges.y, fraction);
+    const vec2 edges = sin(half_step * row);
+    const float s2 = mix(edges.x * edges.x, edges.y * edges.y, y.fraction);
     const float sin_half = sqrt(s2);
-    const float cos_half = sqrt(1.0 - s2);
+    const float cos_half = math_safe_sqrt(1.0 - s2);
     const float polar = atan(sin_half, cos_half) / half_step; // in rows
     const float sin_theta = 2.0 * sin_half * cos_half;
     const float cos_theta = 1.0 - 2.0 * s2;
-    const float column = float(x.index) + x.fraction;
+    const float column = mix(float(left), float(right), x.fraction);
     const float phi = (column / float(width) - 0.5) * (2.0 * MATH_PI);
 
     LightSample s = light_sample_none();
@@ -114,7 +133,7 @@ LightSample light_environment_map_sample(vec2 u) {
     s.distance = LIGHT_FAR;
     const vec4 texel = environment_filter(vec2(column, south ? float(height) - polar : polar));
     s.radiance = texel.rgb * frame.environment_scale;
-    s.pdf = uintBitsToFloat(fetch_environment(y.index * width + x.index).w);
+    s.pdf = uintBitsToFloat(fetch_environment(top * width + left).w);
     return s;
 }
 

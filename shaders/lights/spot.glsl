@@ -1,5 +1,5 @@
-// Spot light of KHR_lights_punctual: a point light times the extension's recommended angular profile,
-// clamp(cos * scale + offset, 0, 1)^2; scale = 1 / max(0.001, cos inner - cos outer), offset = -scale cos outer.
+// Spot light of KHR_lights_punctual: a point light times the angular profile that it recommends,
+// clamp(scale cos + offset, 0, 1)^2, scale = 1 / max(0.001, cos inner - cos outer), offset = -scale cos outer
 #ifndef AJAR_LIGHTS_SPOT_GLSL
 #define AJAR_LIGHTS_SPOT_GLSL
 #include "point.glsl"

@@ -60,42 +60,55 @@ double mean_lookup(const Environment& e, std::int64_t x, std::int64_t y) {
 std::uint32_t walk(const std::vector<glm::uvec4>& words, std::size_t first, std::uint32_t rows,
                    std::uint32_t row, std::uint32_t count, std::uint32_t target) {
     std::uint32_t level = 1;
-    while (std::pow(4.0, level) < count) ++level;
+    while (std::pow(8.0, level) < count) ++level;
     std::uint32_t index = 0;
     for (; level > 0; --level) {
-        const auto span = static_cast<std::uint32_t>(std::pow(4.0, level));
+        const auto span = static_cast<std::uint32_t>(std::pow(8.0, level));
         const std::uint32_t nodes = (count + span - 1) / span;
         const glm::uvec4 begins = words[first + std::size_t{row} * nodes + index];
-        std::uint32_t child = 3;
-        while (child > 0 && begins[static_cast<int>(child)] > target) --child;
-        index = 4 * index + child;
+        std::uint32_t child = 7;
+        while (child > 0 && (begins[static_cast<int>(child / 2)] >> (child % 2 * 16) & 0xffff) > target)
+            --child;
+        index = 8 * index + child;
         first += std::size_t{rows} * nodes;
     }
     return index;
 }
 
+// Sum of density times solid angle over all texels.
+double total(const EnvironmentTable& table) {
+    double sum = 0;
+    for (std::uint32_t y = 0; y < table.height; ++y)
+        for (std::uint32_t x = 0; x < table.width; ++x)
+            sum += density(table, x, y) * texel_solid_angle(table.width, table.height, y);
+    return sum;
+}
+
 TEST(EnvironmentTable, DensityIntegratesToOneOverTheSphere) {
-    for (const auto& [width, height] : {std::pair{1u, 1u}, {2u, 1u}, {5u, 3u}, {64u, 32u}, {257u, 128u}}) {
-        const EnvironmentTable table = build_environment_table(random_map(width, height));
-        double sum = 0;
-        for (std::uint32_t y = 0; y < height; ++y)
-            for (std::uint32_t x = 0; x < width; ++x)
-                sum += density(table, x, y) * texel_solid_angle(width, height, y);
-        EXPECT_NEAR(sum, 1, 1e-6) << width << " x " << height;
-    }
+    for (const auto& [width, height] :
+         {std::pair{1u, 1u}, {2u, 1u}, {5u, 3u}, {64u, 32u}, {257u, 128u}, {4097u, 3u}})
+        EXPECT_NEAR(total(build_environment_table(random_map(width, height))), 1, 1e-6)
+            << width << " x " << height;
 }
 
 TEST(EnvironmentTable, DensityIsInProportionToTheMeanOfTheBilinearLookup) {
     const Environment e = random_map(64, 32);
     const EnvironmentTable table = build_environment_table(e);
-    double total = 0;
-    for (std::uint32_t y = 0; y < 32; ++y)
-        for (std::uint32_t x = 0; x < 64; ++x) total += mean_lookup(e, x, y) * texel_solid_angle(64, 32, y);
+    double sum = 0;
+    std::vector<double> rows(32, 0);
+    for (std::uint32_t y = 0; y < 32; ++y) {
+        for (std::uint32_t x = 0; x < 64; ++x) rows[y] += mean_lookup(e, x, y) * texel_solid_angle(64, 32, y);
+        sum += rows[y];
+    }
     for (std::uint32_t y = 0; y < 32; ++y)
         for (std::uint32_t x = 0; x < 64; ++x) {
-            // Conditional and marginal are rounded to 2^-24 each.
-            const double expected = mean_lookup(e, x, y) / total;
-            EXPECT_NEAR(density(table, x, y), expected, 1e-3 * expected + 1e-4) << x << ", " << y;
+            const double expected = mean_lookup(e, x, y) / sum;
+            // Conditional and marginal are each off by up to two units and the one that every positive entry
+            // gets.
+            const double row = rows[y] / sum;
+            const double in_row = expected * texel_solid_angle(64, 32, y) / row;
+            const double relative = 3.0 / 65536 / row + 3.0 / 65536 / in_row + 32.0 / 65536 + 64.0 / 65536;
+            EXPECT_NEAR(density(table, x, y), expected, relative * expected) << x << ", " << y;
         }
 }
 
@@ -110,17 +123,43 @@ TEST(EnvironmentTable, DensityIsPositiveWhereverTheLookupIs) {
             EXPECT_EQ(density(table, x, y) > 0, mean_lookup(e, x, y) > 0) << x << ", " << y;
 }
 
+TEST(EnvironmentTable, GathersTheTexelsOfALargeMapIntoCells) {
+    const std::uint32_t width = 4099;
+    Environment e = random_map(width, 7);
+    for (glm::vec3& texel : e.radiance) texel = glm::vec3(0);
+    e.radiance[5 * width + 4096] = glm::vec3(2);
+    const EnvironmentTable table = build_environment_table(e);
+    EXPECT_EQ(table.cell_shift, 2u);
+    EXPECT_NEAR(total(table), 1, 1e-6);
+    // Lit: columns 4095 to 4097 and rows 4 to 6, so cells 1023 and 1024 (three texels wide) of row 1.
+    double cells = 0;
+    for (std::uint32_t y = 0; y < 7; ++y)
+        for (std::uint32_t x = 0; x < width; ++x) {
+            EXPECT_EQ(density(table, x, y) > 0, y >= 4 && x >= 4092) << x << ", " << y;
+            EXPECT_EQ(density(table, x, y), density(table, x - x % 4, y - y % 4));
+            if (x >= 4096) cells += density(table, x, y) * texel_solid_angle(width, 7, y);
+        }
+    EXPECT_NEAR(cells, 0.875, 1e-4) << "an eighth reaches over into column 4095";
+}
+
+TEST(EnvironmentTable, MassesLeaveTheLastUnitsToOneEntry) {
+    const std::vector<std::uint32_t> masses = environment_masses(std::vector<double>{1, 1e9, 0, 1, 0});
+    EXPECT_EQ(masses[0] + masses[1] + masses[3], 65536u);
+    EXPECT_GE(masses[3], 2u);
+    EXPECT_EQ(masses[2] + masses[4], 0u);
+    EXPECT_EQ(environment_masses(std::vector<double>{0, 0}), (std::vector<std::uint32_t>{0, 0}));
+}
+
 TEST(EnvironmentTable, TreesFindEveryEntryOverExactlyItsInterval) {
     std::mt19937 random(7);
-    for (const std::uint32_t count : {1u, 2u, 3u, 4u, 5u, 16u, 17u, 100u, 1000u, 1025u}) {
+    for (const std::uint32_t count : {1u, 2u, 7u, 8u, 9u, 64u, 65u, 100u, 512u, 1000u, 2048u}) {
         const std::uint32_t rows = 3;
         std::vector<std::uint32_t> masses;
         for (std::uint32_t row = 0; row < rows; ++row) {
             std::vector<double> weights(count);
             for (double& w : weights) w = random() % 3 == 0 ? 0.0 : static_cast<double>(random() % 100000);
-            weights[count - 1] += row == 1 ? 0 : 1;
-            weights[0] += row == 1 ? 1 : 0;
-            const std::vector<std::uint32_t> some = apportion(weights, PROBABILITY_UNITS);
+            weights[row == 1 ? 0 : count - 1] += 1;
+            const std::vector<std::uint32_t> some = environment_masses(weights);
             masses.insert(masses.end(), some.begin(), some.end());
         }
         std::vector<glm::uvec4> words(11);
@@ -131,10 +170,12 @@ TEST(EnvironmentTable, TreesFindEveryEntryOverExactlyItsInterval) {
                 const std::uint32_t mass = masses[std::size_t{row} * count + i];
                 if (mass > 0) {
                     EXPECT_EQ(walk(words, 11, rows, row, count, begin), i);
-                    EXPECT_EQ(walk(words, 11, rows, row, count, begin + mass - 1), i);
+                    // Kernels never look for the last unit.
+                    EXPECT_EQ(walk(words, 11, rows, row, count, std::min(begin + mass - 1, 65534u)), i);
                 }
                 begin += mass;
             }
+            EXPECT_EQ(begin, 65536u);
         }
     }
 }
