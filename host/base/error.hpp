@@ -1,4 +1,5 @@
-// The one exception type: something in the world (a file, a scene, a driver) is wrong. Programmer errors are asserts.
+// The one exception type: something in the world (a file, a scene, a driver) is wrong. What the programmer did
+// wrong is an assert.
 #pragma once
 
 #include <stdexcept>

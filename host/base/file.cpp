@@ -51,10 +51,12 @@ PendingFile::PendingFile(fs::path path) : path_(std::move(path)) {
     const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, code))
         throw Error(fmt::format("{}: the folder {} does not exist", path_.string(), folder.string()));
-    if (fs::is_directory(path_, code)) throw Error(fmt::format("{}: is a folder, not a file", path_.string()));
+    if (fs::is_directory(path_, code))
+        throw Error(fmt::format("{}: is a folder, not a file", path_.string()));
     if (::access(folder.c_str(), W_OK) != 0)
         throw Error(fmt::format("{}: the folder {} is not writable", path_.string(), folder.string()));
-    temporary_ = folder / fmt::format(".{}.{}.partial{}", path_.stem().string(), ::getpid(), path_.extension().string());
+    temporary_ = folder / fmt::format(".{}.{}.partial{}", path_.stem().string(), ::getpid(),
+                                      path_.extension().string());
 }
 
 PendingFile::~PendingFile() {

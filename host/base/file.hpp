@@ -1,4 +1,4 @@
-// Whole files in and out. An output is written beside its name and renamed, so a failure never leaves half a file.
+// Whole files in and out. An output is written beside its name and renamed: a failure never leaves half a file.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,15 @@
 namespace ajar {
 
 // The bytes of a regular file. Throws Error when it is missing, a folder, unreadable or longer than max_bytes.
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = UINTMAX_C(1) << 36);
+std::vector<std::byte> read_file(const std::filesystem::path& path,
+                                 std::uintmax_t max_bytes = UINTMAX_C(1) << 36);
 
 // Replaces `path` by `bytes` in one step (rename(2)). Throws Error; the old file is then untouched.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-// A temporary name in the folder of `path`, for writers that need a file name; commit() renames it to `path`, the
-// destructor removes it when commit() was not reached. The extension is kept, as image writers look at it.
+// A temporary name in the folder of `path`, for writers that need a file name; commit() renames it to `path`,
+// the destructor removes it when commit() was not reached. Keeps the extension, which image writers look at.
 class PendingFile {
   public:
     explicit PendingFile(std::filesystem::path path);

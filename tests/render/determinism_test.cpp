@@ -21,6 +21,14 @@ RenderSettings odd_settings() {
     return settings;
 }
 
+// A device of its own, under the validation layer like the fixture's.
+gpu::DeviceOptions validated() {
+    gpu::DeviceOptions options;
+    options.validation = true;
+    options.on_validation = [](std::string_view message) { ADD_FAILURE() << message; };
+    return options;
+}
+
 void expect_same_bits(const Image& a, const Image& b) {
     ASSERT_EQ(a.layers.size(), b.layers.size());
     for (std::size_t i = 0; i < a.layers.size(); ++i) {
@@ -38,7 +46,6 @@ void expect_same_bits(const Image& a, const Image& b) {
 
 class Determinism : public RenderTest, public testing::WithParamInterface<SmallScene> {
   protected:
-    // The image of a device made with those options.
     static Image render_on(const gpu::DeviceOptions& options, const Scene& scene) {
         const gpu::Device other(options);
         return render_checked(other, scene, odd_settings()).image;
@@ -73,7 +80,7 @@ TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
 TEST_P(Determinism, WhateverTheTablesAndTheWorkgroups) {
     const Scene scene = GetParam().build();
     const Image reference = render(scene, odd_settings());
-    gpu::DeviceOptions options;
+    gpu::DeviceOptions options = validated();
     options.force_pointers = true;
     expect_same_bits(reference, render_on(options, scene));
     options.force_pointers = false;
@@ -120,7 +127,7 @@ TEST_F(RenderTest, ThreadsOfTheCpuDriverDoNotChangeTheImage) {
     std::vector<Image> images;
     for (const char* threads : {"1", "2", "3"}) {
         ::setenv("LP_NUM_THREADS", threads, 1);
-        const gpu::Device other{gpu::DeviceOptions()};
+        const gpu::Device other(validated());
         images.push_back(render_checked(other, scene, odd_settings()).image);
     }
     ::unsetenv("LP_NUM_THREADS");
