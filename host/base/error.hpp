@@ -1,5 +1,5 @@
-// The one exception type: something in the world (a file, a scene, a driver) is wrong. What the programmer did
-// wrong is an assert.
+// The one exception type: something in the world (a file, a scene, a driver) is wrong. Programming errors are
+// asserts instead.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Whole files in and out. An output is written beside its name and renamed: a failure never leaves half a file.
+// Whole files in and out. An output is written beside its name and renamed: no failure leaves half a file.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace ajar {
 
-// The bytes of a regular file. Throws Error when it is missing, a folder, unreadable or longer than max_bytes.
+// The bytes of a regular file. Throws Error when it is missing, a folder, unreadable or beyond max_bytes.
 std::vector<std::byte> read_file(const std::filesystem::path& path,
                                  std::uintmax_t max_bytes = UINTMAX_C(1) << 36);
 
