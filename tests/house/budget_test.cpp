@@ -1,4 +1,4 @@
-// How long files and lines may be. An exception is a row with its argument; a row that is no longer needed fails.
+// How long files and lines may be. An exception is a row with its argument; a row that is not needed fails.
 #include "tree.hpp"
 
 #include <gtest/gtest.h>

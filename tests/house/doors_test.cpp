@@ -159,8 +159,8 @@ TEST(Doors, VulkanStaysInTheGpuRoom) {
 }
 
 TEST(Doors, TheLibraryNeverPrintsExitsOrReadsTheEnvironment) {
-    const std::regex forbidden(
-        R"(std::(cout|cerr|clog|exit|abort|quick_exit|getenv)\b|\b(f?printf|puts|getenv|setenv|exit|_exit)\(|fmt::print\b)");
+    const std::regex forbidden(R"(std::(cout|cerr|clog|exit|abort|quick_exit|getenv)\b|fmt::print\b)"
+                               R"(|\b(f?printf|puts|getenv|setenv|exit|_exit)\()");
     std::size_t in_programs = 0;
     for (const TreeFile& file : read_tree()) {
         if (!file.under("host") || !file.is_cpp()) continue;

@@ -1,5 +1,5 @@
-// The same bits whatever decides only how fast an image comes: pool, segments, workgroups, slices, tables, threads,
-// and whether its samples are rendered in one run or in several.
+// The same bits whatever decides only how fast an image comes: pool, segments, workgroups, slices, tables,
+// threads, and whether its samples are rendered in one run or in several.
 #include "render_test.hpp"
 #include "small_scenes.hpp"
 
@@ -60,7 +60,7 @@ TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
     struct Choice {
         std::uint32_t segment, pool;
     };
-    // A pool of one segment, one that the picture does not fill evenly, and one that holds everything at once.
+    // A pool of one segment, one that the picture does not fill evenly, and one that holds everything.
     for (const auto& [segment, pool] :
          {Choice{64, 1}, Choice{64, 3000}, Choice{256, 1u << 16}, Choice{1024, 3000}}) {
         RenderSettings settings = odd_settings();

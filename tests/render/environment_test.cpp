@@ -1,5 +1,5 @@
-// Environment maps: where a direction looks, and what they bring to a surface. Maps linear in the direction, whose
-// integrals are known, so the map's orientation and rotation are under test too.
+// Environment maps: where a direction looks, and what they bring to a surface. Maps linear in the direction,
+// whose integrals are known, so the map's orientation and rotation are under test too.
 #include "render_test.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -22,8 +22,8 @@ glm::dvec3 sloped(const glm::dvec3& d) {
     return {1 + glm::dot(SLOPE_R, d), 1 + glm::dot(SLOPE_G, d), 1 + glm::dot(SLOPE_B, d)};
 }
 
-// What a Lambertian of that normal reflects under `sloped`: the integral of (1 + s . d) (n . d) over the hemisphere is
-// pi + 2 pi / 3 (s . n); divided by pi.
+// What a Lambertian of that normal reflects under `sloped`: the integral of (1 + s . d) (n . d) over the
+// hemisphere is pi + 2 pi / 3 (s . n); divided by pi.
 glm::dvec3 reflected(const glm::dvec3& n) {
     return {1 + 2.0 / 3 * glm::dot(SLOPE_R, n), 1 + 2.0 / 3 * glm::dot(SLOPE_G, n),
             1 + 2.0 / 3 * glm::dot(SLOPE_B, n)};
@@ -77,8 +77,9 @@ TEST_F(EnvironmentMap, LightsASurfaceByItsIntegral) {
 }
 
 TEST_F(EnvironmentMap, ASmallSunIsFoundByImportance) {
-    // One texel shines on a dark sky. Bilinear interpolation spreads its light over the four quarters around it, as a
-    // tent two texels wide whose integral over the map is one texel; solid angle differs from row to row by its sine.
+    // One texel shines on a dark sky. Bilinear interpolation spreads its light over the four quarters around
+    // it, as a tent two texels wide whose integral over the map is one texel; solid angle differs from row to
+    // row by its sine.
     SceneBuilder builder;
     builder.square({0, 0, 0}, {0, 1, 0}, 10, builder.material(lambert({1, 1, 1})));
     builder.orthographic({0, 3, 0}, {0, 0, 0}, 1);

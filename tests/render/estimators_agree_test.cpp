@@ -1,5 +1,5 @@
-// Different estimators of one integral have one mean: BSDF sampling, light sampling, their combination, the naive
-// integrator, and the light samplers, on small scenes of every kind of light and surface.
+// Different estimators of one integral have one mean: BSDF sampling, light sampling, their combination, the
+// naive integrator, and the light samplers, on small scenes of every kind of light and surface.
 #include "render_test.hpp"
 #include "small_scenes.hpp"
 

@@ -48,8 +48,8 @@ RayRadiance near_axis(double height, RayRadiance radiance) {
     };
 }
 
-// Irradiance from a polygon of unit radiance, wholly above the horizon of `normal` (Lambert 1760): half the sum over
-// the edges of the angle each subtends times the cosine between `normal` and the normal of edge and eye.
+// Irradiance from a polygon of unit radiance, wholly above the horizon of `normal` (Lambert 1760): half the
+// sum over the edges of the angle each subtends times the cosine between `normal` and its plane's normal.
 double polygon_irradiance(const std::vector<glm::dvec3>& corners, const glm::dvec3& at,
                           const glm::dvec3& normal) {
     double sum = 0;
@@ -80,8 +80,8 @@ TEST_P(ExactAnswersByStrategy, AConvexLambertianBodyInAFurnaceReturnsItsAlbedo) 
 }
 
 TEST_F(ExactAnswers, BsdfSamplingOfALambertianBodyInAFurnaceHasNoVariance) {
-    // f cos / pdf is the albedo whatever the direction, so a single sample is right. A ray that wrongly met the body
-    // again would show.
+    // f cos / pdf is the albedo whatever the direction, so a single sample is right. A ray that wrongly met
+    // the body again would show.
     SceneBuilder builder;
     builder.sphere({0, 0, 0}, 1, 3, Normals::flat, builder.material(lambert(ALBEDO)));
     builder.constant_environment({1, 1, 1});

@@ -1,4 +1,4 @@
-// Where the camera looks and what it sees there: pixel-exact geometry, and the integrators that show first hits.
+// Where the camera looks and what it sees there: pixel-exact geometry, and the integrators of first hits.
 #include "base/error.hpp"
 #include "render_test.hpp"
 
@@ -166,7 +166,7 @@ TEST_F(FirstHit, AmbientOcclusionLooksNoFartherThanItsDistance) {
     settings.integrator = "ao";
     settings.ao_distance = 1.9f;
     EXPECT_EQ(pixel(render(scene, settings), "", 16, 16), glm::dvec3(1));
-    // At twice the height, directions within 60 degrees of the normal reach the ceiling: sin^2 60 of the light.
+    // At twice the height, directions within 60 degrees of the normal meet the ceiling: sin^2 60 of all.
     settings.ao_distance = 4;
     settings.samples = 256;
     expect_radiance(

@@ -14,7 +14,7 @@ namespace ajar::test {
 // 32 x 32 pixels, direct light only.
 RenderSettings small_settings();
 
-// Renders and expects that nothing went wrong on the way: no invalid or saturated sample, no exhausted loop, no warning.
+// Renders and expects that nothing went wrong: no invalid or saturated sample, exhausted loop or warning.
 RenderOutput render_checked(const gpu::Device& device, const Scene& scene, const RenderSettings& settings);
 
 class RenderTest : public GpuTest {
@@ -38,12 +38,13 @@ std::optional<glm::dvec3> pixel_mean(const Camera& camera, const RenderSettings&
 
 // Where the ray meets the plane through `point` with that normal.
 glm::dvec3 meet_plane(const ViewRay& ray, const glm::dvec3& point, const glm::dvec3& normal);
-// Where the ray enters the sphere; none if it passes within a hundredth of the radius of its outline, or misses.
+// Where the ray enters the sphere; none if it misses, or comes within a hundredth of the outline.
 std::optional<glm::dvec3> meet_sphere(const ViewRay& ray, const glm::dvec3& center, double radius);
 
-// Tests the beauty layer's pixels against `radiance` (none: the pixel is not tested): every pixel by its variance, and
-// the mean residuals of sixteen parts of the picture by the residuals' own spread, which stratified sampling makes
-// much narrower. `relative`: by which the expectation itself may be off, from tessellation or rounding.
+// Tests the beauty layer's pixels against `radiance` (none: the pixel is not tested): every pixel by its
+// variance, and the mean residuals of the picture and of its sixteen parts by the residuals' own spread,
+// which stratified sampling makes much narrower. `relative`: by which the expectation itself may be off, from
+// tessellation or rounding.
 void expect_radiance(const Image& image, const Camera& camera, const RenderSettings& settings,
                      const RayRadiance& radiance, double relative = 1e-5);
 

@@ -17,18 +17,19 @@ Material glowing_lambert(glm::vec3 albedo, glm::vec3 radiance);
 Material metal(glm::vec3 color, float roughness);
 Material plastic(glm::vec3 color, float roughness);
 
-// How a tessellated sphere's normals are laid out. `flat`: each facet its own, so that the body is exactly the convex
-// polyhedron one sees. `smooth`: radial at every vertex; interpolated between them they are radial everywhere.
+// How a tessellated sphere's normals are laid out. `flat`: each facet its own, so that the body is exactly
+// the convex polyhedron one sees. `smooth`: radial at every vertex; interpolated between them they are radial
+// everywhere.
 enum class Normals { flat, smooth };
 
 class SceneBuilder {
   public:
     std::uint32_t material(Material material); // index for the calls below
 
-    // One instance each. A quad's front is where cross(b - a, c - a) points; texture coordinates run from (0, 0) at
-    // a to (1, 1) at c.
+    // One instance each. A quad's front is where cross(b - a, c - a) points; texture coordinates run from
+    // (0, 0) at a to (1, 1) at c.
     void quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d, std::uint32_t material);
-    // A square of that half side on the plane through `center` with unit normal `normal`, along the axes where it can.
+    // A square of that half side, facing along the unit vector `normal`.
     void square(glm::vec3 center, glm::vec3 normal, float half_side, std::uint32_t material);
     void box(glm::vec3 lower, glm::vec3 upper, std::uint32_t material);  // seen from outside
     void room(glm::vec3 lower, glm::vec3 upper, std::uint32_t material); // seen from inside, closed
