@@ -7,8 +7,9 @@
 //   const ajar::RenderResult result = ajar::render(scene, device, settings);
 //   ajar::save_image("scene.exr", result.image);
 //
-// Every function throws ajar::Error, whose what() is one line a user can act on; nothing prints, exits or reads the
-// environment. Different objects may be used from different threads; one object from one thread at a time.
+// Every function throws ajar::Error, whose what() is one line a user can act on; nothing prints, exits or
+// reads the environment. Different objects may be used from different threads; one object from one thread at
+// a time.
 #pragma once
 
 #include "ajar/device.hpp"

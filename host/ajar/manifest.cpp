@@ -18,11 +18,10 @@ std::string dump(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace); // names may hold invalid UTF-8
 }
 
-std::string filter_name(PixelFilter filter) {
-    return pixel_filters()[static_cast<std::size_t>(filter)].name;
-}
+std::string filter_name(PixelFilter filter) { return pixel_filters()[static_cast<std::size_t>(filter)].name; }
 
-// An index or the name given; otherwise the name, or the index, of the camera that the scene itself has chosen.
+// An index or the name given; otherwise the name, or the index, of the camera that the scene itself has
+// chosen.
 std::string camera_name(const Manifest& m) {
     if (!m.settings.camera.empty()) return m.settings.camera;
     if (m.scene.camera < m.scene.cameras.size() && !m.scene.cameras[m.scene.camera].name.empty())
@@ -118,7 +117,8 @@ Json rays_json(const RenderStats& stats) {
 std::vector<std::pair<std::string, std::string>> reproduction_metadata(const Manifest& m) {
     const gpu::DeviceDescription& d = m.device.description();
     Json settings = image_settings(m);
-    if (m.stats.interrupted) settings["interrupted"] = true; // some pixels may have more samples: layer "samples"
+    if (m.stats.interrupted)
+        settings["interrupted"] = true; // some pixels may have more samples: layer "samples"
     return {{"ajar:version", std::string(version())},
             {"ajar:settings", dump(settings, -1)},
             {"ajar:scene_hash", m.scene_hash},

@@ -1,4 +1,5 @@
-// What an image was made of, as a JSON document for --report and, the part that reproduces it, as the image's metadata.
+// What an image was made of, as a JSON document for --report and, the part that reproduces it, as the image's
+// metadata.
 #pragma once
 
 #include "gpu/device.hpp"
@@ -19,8 +20,8 @@ struct Manifest {
     const RenderStats& stats;
 };
 
-// Settings that decide the image, hashes of scene and shaders, version, device and driver. No clock, no path and nothing
-// that only decides the speed: equal images have equal metadata.
+// Settings that decide the image, hashes of scene and shaders, version, device and driver. No clock, no path
+// and nothing that only decides the speed: equal images have equal metadata.
 std::vector<std::pair<std::string, std::string>> reproduction_metadata(const Manifest& manifest);
 
 // All of it, times and rays included; indented, with a newline at the end.

@@ -13,7 +13,7 @@ namespace ajar {
 struct Scene; // the rooms' own description, see scene/scene.hpp; programs outside do not need it
 
 struct LoadOptions {
-    std::string scene; // a name or an index; empty: the file's default
+    std::string scene;           // a name or an index; empty: the file's default
     float aspect = 16.0f / 9.0f; // width / height that the automatic camera of a file without any must frame
     WarningSink warn;            // one line for each thing that was ignored or replaced; may be empty
 };
@@ -25,7 +25,8 @@ struct EnvironmentOptions {
 
 class SceneFile {
   public:
-    // Reads a .gltf or .glb file and whatever it refers to. Throws Error: one line naming the file and the place.
+    // Reads a .gltf or .glb file and whatever it refers to. Throws Error: one line naming the file and the
+    // place.
     static SceneFile load(const std::filesystem::path& path, const LoadOptions& options = {});
     ~SceneFile();
     SceneFile(SceneFile&&) noexcept;
@@ -41,8 +42,8 @@ class SceneFile {
     std::uint64_t triangle_count() const; // each instance counted
 
     const std::string& name() const; // the file's, without its folder
-    // Thirty-two hexadecimal digits that stand for all that was loaded, the environment included: the same scene gives
-    // the same digits, wherever its files lie.
+    // Thirty-two hexadecimal digits that stand for all that was loaded, the environment included: the same
+    // scene gives the same digits, wherever its files lie.
     std::string hash() const;
 
     const Scene& scene() const;

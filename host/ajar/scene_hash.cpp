@@ -14,9 +14,9 @@ namespace {
 // Collects values as bytes. Long arrays enter as their own hash, so that memory stays small.
 class Digest {
   public:
-    template <class T>
-    void add(const T& value) {
-        static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>, "no padding");
+    template <class T> void add(const T& value) {
+        static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>,
+                      "no padding");
         append(std::as_bytes(std::span(&value, 1)));
     }
     void add(bool value) { add(static_cast<std::uint8_t>(value)); }
@@ -29,14 +29,11 @@ class Digest {
         add(static_cast<std::uint64_t>(text.size()));
         append(std::as_bytes(std::span(text.data(), text.size())));
     }
-    template <class T>
-    void add(const std::vector<T>& values) {
+    template <class T> void add(const std::vector<T>& values) {
         add(static_cast<std::uint64_t>(values.size()));
         add(content_hash(std::as_bytes(std::span(values.data(), values.size()))));
     }
-    void add(const TextureUse& use) {
-        add(use.texture), add(use.uv_set), add(use.uv_row_u), add(use.uv_row_v);
-    }
+    template <class... Values> void add_each(const Values&... values) { (add(values), ...); }
     std::string hash() const { return content_hash(bytes_); }
 
   private:
@@ -44,44 +41,64 @@ class Digest {
     std::vector<std::byte> bytes_;
 };
 
+// Structured bindings name every field: a new one does not compile until it is hashed, or left out, here.
+
 void add(Digest& d, const Mesh& mesh) {
-    d.add(mesh.positions), d.add(mesh.normals), d.add(mesh.tangents), d.add(mesh.uv0), d.add(mesh.uv1);
-    d.add(mesh.colors), d.add(mesh.triangles), d.add(mesh.triangle_materials);
+    const auto& [name, positions, normals, tangents, uv0, uv1, colors, triangles, materials] = mesh;
+    d.add_each(positions, normals, tangents, uv0, uv1, colors, triangles, materials);
 }
 
-void add(Digest& d, const Instance& instance) { d.add(instance.mesh), d.add(instance.to_world); }
-
-void add(Digest& d, const Material& m) {
-    d.add(m.base_color), d.add(m.base_color_texture);
-    d.add(m.metallic), d.add(m.roughness), d.add(m.metallic_roughness_texture);
-    d.add(m.normal_scale), d.add(m.normal_texture);
-    d.add(m.emission), d.add(m.emission_texture);
-    d.add(m.ior), d.add(m.specular), d.add(m.specular_color);
-    d.add(static_cast<std::uint8_t>(m.alpha_mode)), d.add(m.alpha_cutoff), d.add(m.double_sided), d.add(m.unlit);
+void add(Digest& d, const Instance& instance) {
+    const auto& [name, mesh, to_world] = instance;
+    d.add_each(mesh, to_world);
 }
 
-void add(Digest& d, const Texture& t) {
-    d.add(t.image), d.add(static_cast<std::uint8_t>(t.wrap_u)), d.add(static_cast<std::uint8_t>(t.wrap_v));
-    d.add(static_cast<std::uint8_t>(t.filter));
+void add(Digest& d, const TextureUse& use) {
+    const auto& [texture, uv_set, uv_row_u, uv_row_v] = use;
+    d.add_each(texture, uv_set, uv_row_u, uv_row_v);
 }
 
-void add(Digest& d, const TextureImage& image) { d.add(image.width), d.add(image.height), d.add(image.rgba); }
-
-void add(Digest& d, const Light& l) {
-    d.add(static_cast<std::uint8_t>(l.kind)), d.add(l.intensity), d.add(l.position), d.add(l.direction);
-    d.add(l.range), d.add(l.inner_cone_angle), d.add(l.outer_cone_angle);
+// Occlusion is kept for `ajar info` alone.
+void add(Digest& d, const Material& material) {
+    const auto& [name, base_color, base_color_texture, metallic, roughness, metallic_roughness_texture,
+                 normal_scale, normal_texture, occlusion_strength, occlusion_texture, emission,
+                 emission_texture, ior, specular, specular_color, alpha_mode, alpha_cutoff, double_sided,
+                 unlit] = material;
+    d.add_each(base_color, metallic, roughness, normal_scale, emission, ior, specular, specular_color,
+               alpha_mode, alpha_cutoff, double_sided, unlit);
+    for (const TextureUse* use :
+         {&base_color_texture, &metallic_roughness_texture, &normal_texture, &emission_texture})
+        add(d, *use);
 }
 
-void add(Digest& d, const Camera& c) {
-    d.add(c.name), d.add(static_cast<std::uint8_t>(c.kind)), d.add(c.yfov), d.add(c.ymag), d.add(c.to_world);
+void add(Digest& d, const Texture& texture) {
+    const auto& [name, image, wrap_u, wrap_v, filter] = texture;
+    d.add_each(image, wrap_u, wrap_v, filter);
 }
 
-void add(Digest& d, const Environment& e) {
-    d.add(e.width), d.add(e.height), d.add(e.radiance), d.add(e.scale), d.add(e.rotation);
+void add(Digest& d, const TextureImage& image) {
+    const auto& [name, width, height, rgba] = image;
+    d.add_each(width, height, rgba);
 }
 
-template <class T>
-void add_all(Digest& d, const std::vector<T>& parts) {
+void add(Digest& d, const Light& light) {
+    const auto& [name, kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle] =
+        light;
+    d.add_each(kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle);
+}
+
+// The name too: --camera NAME is looked up by it.
+void add(Digest& d, const Camera& camera) {
+    const auto& [name, kind, yfov, ymag, to_world] = camera;
+    d.add_each(name, kind, yfov, ymag, to_world);
+}
+
+void add(Digest& d, const Environment& environment) {
+    const auto& [name, width, height, radiance, scale, rotation] = environment;
+    d.add_each(width, height, radiance, scale, rotation);
+}
+
+template <class T> void add_all(Digest& d, const std::vector<T>& parts) {
     d.add(static_cast<std::uint64_t>(parts.size()));
     for (const T& part : parts) add(d, part);
 }
@@ -89,17 +106,19 @@ void add_all(Digest& d, const std::vector<T>& parts) {
 } // namespace
 
 std::string scene_hash(const Scene& scene) {
+    const auto& [name, meshes, instances, materials, textures, images, lights, cameras, camera, environment] =
+        scene;
     Digest d;
-    add_all(d, scene.meshes);
-    add_all(d, scene.instances);
-    add_all(d, scene.materials);
-    add_all(d, scene.textures);
-    add_all(d, scene.images);
-    add_all(d, scene.lights);
-    add_all(d, scene.cameras);
-    d.add(scene.camera);
-    d.add(scene.environment.has_value());
-    if (scene.environment) add(d, *scene.environment);
+    add_all(d, meshes);
+    add_all(d, instances);
+    add_all(d, materials);
+    add_all(d, textures);
+    add_all(d, images);
+    add_all(d, lights);
+    add_all(d, cameras);
+    d.add(camera);
+    d.add(environment.has_value());
+    if (environment) add(d, *environment);
     return d.hash();
 }
 

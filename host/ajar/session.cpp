@@ -16,7 +16,8 @@ struct Session::Impl {
 };
 
 Session::Session(const SceneFile& scene, const Device& device, const WarningSink& warn)
-    : impl_(new Impl{scene.name(), scene.hash(), scene.scene(), device, Renderer(device, scene.scene(), warn)}) {}
+    : impl_(new Impl{scene.name(), scene.hash(), scene.scene(), device,
+                     Renderer(device, scene.scene(), warn)}) {}
 
 Session::~Session() = default;
 

@@ -14,26 +14,27 @@
 namespace ajar {
 
 struct RenderResult {
-    // Layers: "" (R, G, B, A: linear Rec. 709 radiance, premultiplied) and "variance" (of the pixel's mean); with
-    // settings.aovs also "albedo" "normal" "position" "depth" "emission" "object_id" "material_id" "samples".
-    // Its metadata holds what reproduces it, and no clock.
+    // Layers: "" (R, G, B, A: linear Rec. 709 radiance, premultiplied) and "variance" (of the pixel's mean);
+    // with settings.aovs also "albedo" "normal" "position" "depth" "emission" "object_id" "material_id"
+    // "samples". Its metadata holds what reproduces it, and no clock.
     Image image;
-    std::uint32_t samples = 0; // per pixel, done
-    bool interrupted = false;  // the progress callback said stop
-    bool out_of_time = false;  // settings.time_limit was reached
+    std::uint32_t samples = 0;  // per pixel, done
+    bool interrupted = false;   // the progress callback said stop
+    bool out_of_time = false;   // settings.time_limit was reached
     double prepare_seconds = 0; // building the hierarchy and uploading
     double render_seconds = 0;
     std::uint64_t rays = 0;            // traced, shadow rays included
     std::uint64_t invalid_samples = 0; // NaN, infinite or negative: dropped
-    // A JSON document: every setting, the hashes of scene and shaders, device, driver, versions, time per kernel, rays.
+    // A JSON document: every setting, the hashes of scene and shaders, device, driver, versions, time per
+    // kernel, rays.
     std::string manifest;
 };
 
 // A scene that has been uploaded to a device.
 class Session {
   public:
-    // Builds the hierarchy and uploads; scene and device must outlive the session. Throws Error when the scene does not
-    // fit.
+    // Builds the hierarchy and uploads; scene and device must outlive the session. Throws Error when the
+    // scene does not fit.
     Session(const SceneFile& scene, const Device& device, const WarningSink& warn = {});
     ~Session();
     Session(const Session&) = delete;

@@ -11,8 +11,8 @@ namespace ajar::cli {
 
 // Exit codes, for scripts.
 inline constexpr int EXIT_OK = 0;
-inline constexpr int EXIT_WORLD = 1; // a file, the scene or the driver is wrong
-inline constexpr int EXIT_USAGE = 2; // the command line is wrong
+inline constexpr int EXIT_WORLD = 1;     // a file, the scene or the driver is wrong
+inline constexpr int EXIT_USAGE = 2;     // the command line is wrong
 inline constexpr int EXIT_DIFFERENT = 3; // ajar compare: the images differ
 inline constexpr int EXIT_INTERRUPTED = 130;
 

@@ -1,8 +1,9 @@
-// ajar compare: measures how two images differ and gives a verdict, in words, as JSON, as a heat map, as exit code.
+// ajar compare: measures how two images differ and gives a verdict, in words, as JSON, as a heat map, as exit
+// code.
+#include "image/compare.hpp"
 #include "ajar/save_image.hpp"
 #include "base/error.hpp"
 #include "cli/command.hpp"
-#include "image/compare.hpp"
 #include "image/read.hpp"
 
 #include <cmath>
@@ -48,28 +49,30 @@ Json z_json(const std::optional<ZTest>& z) {
 }
 
 std::string as_json(const Options& o, const Comparison& c, const Verdict& verdict) {
-    const Json json{{"a", o.a},
-                    {"b", o.b},
-                    {"width", c.width},
-                    {"height", c.height},
-                    {"same", verdict.same},
-                    {"reasons", verdict.reasons},
-                    {"rmse", c.rmse},
-                    {"relmse", c.relmse},
-                    {"psnr", finite_or_null(c.psnr)},
-                    {"flip", c.flip},
-                    {"flip_kind", c.flip_kind == FlipKind::hdr ? "hdr" : "ldr"},
-                    {"max_error",
-                     {{"value", c.max_error}, {"x", c.max_x}, {"y", c.max_y}, {"channel", channel_name(c.max_channel)}}},
-                    {"significance", c.significance},
-                    {"z_test", {{"image", z_json(c.image_z)}, {"tiles", z_json(c.tile_z)},
-                                {"pixels", z_json(c.pixel_z)}}}};
+    const Json json{
+        {"a", o.a},
+        {"b", o.b},
+        {"width", c.width},
+        {"height", c.height},
+        {"same", verdict.same},
+        {"reasons", verdict.reasons},
+        {"rmse", c.rmse},
+        {"relmse", c.relmse},
+        {"psnr", finite_or_null(c.psnr)},
+        {"flip", c.flip},
+        {"flip_kind", c.flip_kind == FlipKind::hdr ? "hdr" : "ldr"},
+        {"max_error",
+         {{"value", c.max_error}, {"x", c.max_x}, {"y", c.max_y}, {"channel", channel_name(c.max_channel)}}},
+        {"significance", c.significance},
+        {"z_test",
+         {{"image", z_json(c.image_z)}, {"tiles", z_json(c.tile_z)}, {"pixels", z_json(c.pixel_z)}}}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string z_line(const char* name, const std::optional<ZTest>& z) {
     if (!z) return {};
-    return fmt::format("z-test {:<8} p = {:.3g} ({} of {} rejected)\n", name, z->corrected_p, z->rejected, z->tests);
+    return fmt::format("z-test {:<8} p = {:.3g} ({} of {} rejected)\n", name, z->corrected_p, z->rejected,
+                       z->tests);
 }
 
 std::string as_text(const Comparison& c, const Verdict& verdict) {
@@ -78,8 +81,8 @@ std::string as_text(const Comparison& c, const Verdict& verdict) {
                                    "PSNR            {:.2f} dB\n"
                                    "FLIP ({})      {:.6g}\n"
                                    "largest error   {:.6g} at ({}, {}) {}\n",
-                                   c.rmse, c.relmse, c.psnr, c.flip_kind == FlipKind::hdr ? "HDR" : "LDR", c.flip,
-                                   c.max_error, c.max_x, c.max_y, channel_name(c.max_channel));
+                                   c.rmse, c.relmse, c.psnr, c.flip_kind == FlipKind::hdr ? "HDR" : "LDR",
+                                   c.flip, c.max_error, c.max_x, c.max_y, channel_name(c.max_channel));
     text += z_line("image", c.image_z) + z_line("tiles", c.tile_z) + z_line("pixels", c.pixel_z);
     if (verdict.same) return text + "same\n";
     return text + fmt::format("different: {}\n", fmt::join(verdict.reasons, "; "));
@@ -123,16 +126,18 @@ void declare(CLI::App& app, Options& o) {
     limit("--max-rmse", o.limits.max_rmse, "Largest root of the mean squared error");
     limit("--max-relmse", o.limits.max_relmse, "Largest mean of (a - b)^2 / (b^2 + 0.01)");
     limit("--max-error", o.limits.max_error, "Largest error of any value");
-    app.add_option("--significance", o.significance,
-                   "Chance to call two renders of one scene different, where both images carry a layer 'variance' "
-                   "(default 1e-4). Without any limit this z-test decides, or, without variance, equality; with "
-                   "limits it counts only where asked for")
+    app.add_option(
+           "--significance", o.significance,
+           "Chance to call two renders of one scene different, where both images carry a layer 'variance' "
+           "(default 1e-4). Without any limit this z-test decides, or, without variance, equality; with "
+           "limits it counts only where asked for")
         ->type_name("P")
         ->check(CLI::Range(1e-12, 0.5))
         ->group(verdict);
-    app.add_option("--z-scale", o.z_scale,
-                   "What the z-test looks at: the whole image and tiles (default), or single pixels, whose means are "
-                   "not normal with few samples")
+    app.add_option(
+           "--z-scale", o.z_scale,
+           "What the z-test looks at: the whole image and tiles (default), or single pixels, whose means are "
+           "not normal with few samples")
         ->type_name("tiles|pixels")
         ->check(CLI::IsMember({"tiles", "pixels"}).description(""))
         ->group(verdict);
@@ -145,7 +150,8 @@ void declare(CLI::App& app, Options& o) {
 } // namespace
 
 Command compare_command(CLI::App& parent) {
-    CLI::App* app = parent.add_subcommand("compare", "Tells how two images differ, and whether they count as the same");
+    CLI::App* app =
+        parent.add_subcommand("compare", "Tells how two images differ, and whether they count as the same");
     app->footer(EXAMPLES);
     const auto options = std::make_shared<Options>();
     declare(*app, *options);

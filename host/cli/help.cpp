@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t COLUMN = 26; // where descriptions begin
 constexpr std::size_t WIDTH = 80;
 
-// Appends `text` word by word, beginning at column `at`; lines after the first are indented to `column`. A newline in
-// the text is kept, and its line's own leading spaces with it.
+// Appends `text` word by word, beginning at column `at`; lines after the first are indented to `column`. A
+// newline in the text is kept, and its line's own leading spaces with it.
 void wrap(std::string& out, const std::string& text, std::size_t at, std::size_t column) {
     std::istringstream lines(text);
     std::string line;
@@ -58,8 +58,9 @@ void add_options(std::string& out, const CLI::App* app) {
     std::vector<std::string> groups = app->get_groups();
     std::stable_partition(groups.begin(), groups.end(), [](const std::string& g) { return g != "Options"; });
     for (const std::string& group : groups) {
-        const auto options = app->get_options(
-            [&](const CLI::Option* o) { return !group.empty() && o->get_group() == group && o->nonpositional(); });
+        const auto options = app->get_options([&](const CLI::Option* o) {
+            return !group.empty() && o->get_group() == group && o->nonpositional();
+        });
         if (options.empty()) continue;
         out += fmt::format("\n{}:\n", group);
         for (const CLI::Option* option : options)
@@ -79,7 +80,8 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
     for (const CLI::Option* option : positionals) out += ' ' + option->get_name(true);
     out += " [OPTIONS]\n";
     if (!positionals.empty()) out += '\n';
-    for (const CLI::Option* option : positionals) add_entry(out, option->get_name(true), option->get_description());
+    for (const CLI::Option* option : positionals)
+        add_entry(out, option->get_name(true), option->get_description());
     if (!commands.empty()) out += "\nCommands:\n";
     for (const CLI::App* command : commands) add_entry(out, command->get_name(), command->get_description());
     add_options(out, app);

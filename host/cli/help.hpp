@@ -1,5 +1,6 @@
-// The text of --help: what the command does, examples, usage, then options by group, wrapped at 80 columns. CLI11's own
-// formatter puts the examples last and changed its wrapping between the versions that distributions ship.
+// The text of --help: what the command does, examples, usage, then options by group, wrapped at 80 columns.
+// CLI11's own formatter puts the examples last and changed its wrapping between the versions that
+// distributions ship.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,8 +18,7 @@ class HelpFormatter : public CLI::FormatterBase {
 };
 
 // "HEAD: a: help of a; b: help of b." from the rows of a table that have `name` and `help`.
-template <class Rows>
-std::string help_from(std::string_view head, const Rows& rows) {
+template <class Rows> std::string help_from(std::string_view head, const Rows& rows) {
     std::string text(head);
     char separator = ':';
     for (const auto& row : rows) {
@@ -30,8 +30,7 @@ std::string help_from(std::string_view head, const Rows& rows) {
 }
 
 // Refuses, as CLI11 does for its own checks, what is no row's name.
-template <class Rows>
-CLI::Validator one_of(const Rows& rows) {
+template <class Rows> CLI::Validator one_of(const Rows& rows) {
     std::vector<std::string> names;
     for (const auto& row : rows) names.emplace_back(row.name);
     return CLI::IsMember(names).description("");

@@ -1,5 +1,6 @@
-// Ctrl-C and SIGTERM as a state that a command asks for. A thread waits for the signals (sigwait), so that no handler
-// and no global is needed; the signals must be blocked before other threads start: construct it first.
+// Ctrl-C and SIGTERM as a state that a command asks for. A thread waits for the signals (sigwait), so that no
+// handler and no global is needed; the signals must be blocked before other threads start: construct it
+// first.
 #pragma once
 
 #include <atomic>

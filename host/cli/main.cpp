@@ -20,7 +20,8 @@ int usage_error(std::string_view message, const std::string& command) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Ajar renders glTF scenes by path tracing on any Vulkan device, and compares images.", "ajar");
+    CLI::App app("Ajar renders glTF scenes by path tracing on any Vulkan device, and compares images.",
+                 "ajar");
     app.formatter(std::make_shared<HelpFormatter>());
     app.footer("  ajar render scene.glb -o out.png\n"
                "  ajar compare out.exr golden.exr\n"
@@ -32,17 +33,20 @@ int run(int argc, char** argv) {
     const std::vector<Command> commands{render_command(app), compare_command(app), info_command(app),
                                         devices_command(app)};
     const auto chosen = [&] {
-        return std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.app->parsed(); });
+        return std::find_if(commands.begin(), commands.end(),
+                            [](const Command& c) { return c.app->parsed(); });
     };
     const auto chosen_name = [&] {
         return chosen() == commands.end() ? std::string("ajar") : "ajar " + chosen()->app->get_name();
     };
     try {
         app.parse(argc, argv);
-        if (chosen() == commands.end()) throw UsageError("a command is missing: render, compare, info or devices");
+        if (chosen() == commands.end())
+            throw UsageError("a command is missing: render, compare, info or devices");
         return chosen()->run();
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error); // --help
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+            return app.exit(error); // --help
         return usage_error(error.what(), chosen_name());
     } catch (const UsageError& error) {
         return usage_error(error.what(), chosen_name());
@@ -60,7 +64,8 @@ int main(int argc, char** argv) {
     } catch (const ajar::Error& error) {
         ajar::cli::print_line("error", error.what());
     } catch (const std::bad_alloc&) {
-        ajar::cli::print_line("error", "out of memory (a smaller --size, fewer --aov layers or a smaller scene help)");
+        ajar::cli::print_line("error",
+                              "out of memory (a smaller --size, fewer --aov layers or a smaller scene help)");
     } catch (const std::exception& error) {
         ajar::cli::print_line("error", fmt::format("unexpected: {}", error.what()));
     }

@@ -55,7 +55,8 @@ void ProgressDisplay::update(const Progress& p) {
     shown_ = p.seconds;
     const double rate = p.seconds > 0 ? static_cast<double>(p.done) / p.seconds : 0;
     double left = rate > 0 ? static_cast<double>(p.total - p.done) / rate : -1;
-    if (time_limit_ > 0) left = std::min(left < 0 ? time_limit_ : left, std::max(time_limit_ - p.seconds, 0.0));
+    if (time_limit_ > 0)
+        left = std::min(left < 0 ? time_limit_ : left, std::max(time_limit_ - p.seconds, 0.0));
     if (mode_ == ProgressMode::json) {
         Json json{{"event", "progress"}, {"stage", p.stage}, {"done", p.done}, {"total", p.total}};
         json["seconds"] = p.seconds;
@@ -85,13 +86,13 @@ void ProgressDisplay::written(const std::string& file) {
     if (mode_ == ProgressMode::json) print_json({{"event", "written"}, {"file", file}});
 }
 
-void ProgressDisplay::finished(const std::string& files, std::uint32_t samples, double seconds, std::uint64_t rays,
-                               bool interrupted) {
+void ProgressDisplay::finished(const std::string& files, std::uint32_t samples, double seconds,
+                               std::uint64_t rays, bool interrupted) {
     clear();
     const double mrays = seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0;
     if (mode_ == ProgressMode::terminal)
-        print_stderr(fmt::format("{} samples in {:.2f} s, {:.3g} samples/s, {:.3g} Mrays/s: {}\n", samples, seconds,
-                                 seconds > 0 ? samples / seconds : 0, mrays, files));
+        print_stderr(fmt::format("{} samples in {:.2f} s, {:.3g} samples/s, {:.3g} Mrays/s: {}\n", samples,
+                                 seconds, seconds > 0 ? samples / seconds : 0, mrays, files));
     if (mode_ == ProgressMode::json)
         print_json({{"event", "done"},
                     {"samples", samples},

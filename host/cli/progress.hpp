@@ -1,5 +1,5 @@
-// What a render tells whoever started it: one line on a terminal that is rewritten, one JSON object a line for machines,
-// or nothing. Warnings go to stderr whatever the mode.
+// What a render tells whoever started it: one line on a terminal that is rewritten, one JSON object a line
+// for machines, or nothing. Warnings go to stderr whatever the mode.
 #pragma once
 
 #include "base/events.hpp"

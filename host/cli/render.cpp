@@ -1,5 +1,5 @@
-// ajar render: checks the outputs, loads, lights, renders, writes. What is decided here and nowhere else: the default
-// environment, what an interrupt saves, and the exit code.
+// ajar render: checks the outputs, loads, lights, renders, writes. What is decided here and nowhere else: the
+// default environment, what an interrupt saves, and the exit code.
 #include "ajar/ajar.hpp"
 #include "base/file.hpp"
 #include "cli/command.hpp"
@@ -14,11 +14,12 @@ namespace ajar::cli {
 
 namespace {
 
-constexpr const char* EXAMPLES = "  ajar render scene.glb -o out.png\n"
-                                 "  ajar render scene.glb -o out.exr -o out.png --size 1920x1080 --samples 256\n"
-                                 "  ajar render scene.gltf -o out.exr --env studio.hdr --env-rotation 90 --aov\n"
-                                 "  ajar render scene.glb -o out.png --tonemap agx --exposure 1 --time-limit 60\n"
-                                 "  ajar render scene.glb -o out.exr --report out.json --progress json";
+constexpr const char* EXAMPLES =
+    "  ajar render scene.glb -o out.png\n"
+    "  ajar render scene.glb -o out.exr -o out.png --size 1920x1080 --samples 256\n"
+    "  ajar render scene.gltf -o out.exr --env studio.hdr --env-rotation 90 --aov\n"
+    "  ajar render scene.glb -o out.png --tonemap agx --exposure 1 --time-limit 60\n"
+    "  ajar render scene.glb -o out.exr --report out.json --progress json";
 
 // Before hours of rendering: everything that can be known to fail at their end.
 void check(const RenderOptions& o) {
@@ -36,7 +37,8 @@ SceneFile load(RenderOptions& o, ProgressDisplay& display) {
     if (o.background) std::copy(o.background->begin(), o.background->end(), o.settings.background);
     if (!o.background && !scene.has_light()) {
         scene.set_environment(1, 1, 1);
-        display.notice("the scene has no light: lit by a constant environment of radiance 1 (see --env, --background)");
+        display.notice(
+            "the scene has no light: lit by a constant environment of radiance 1 (see --env, --background)");
     }
     return scene;
 }
@@ -77,8 +79,11 @@ int run(RenderOptions& o) {
     Interrupts interrupts;
     ProgressDisplay display(progress_mode(o.progress), o.settings.time_limit);
     const auto warn = [&](std::string_view line) { display.warning(line); };
-    if (!o.no_cache) o.device.cache_folder = default_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
-    o.device.on_validation = [&](std::string_view line) { display.warning(fmt::format("validation: {}", line)); };
+    if (!o.no_cache)
+        o.device.cache_folder = default_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
+    o.device.on_validation = [&](std::string_view line) {
+        display.warning(fmt::format("validation: {}", line));
+    };
     const Device device(o.device);
     const SceneFile scene = load(o, display);
     display.stage("prepare");

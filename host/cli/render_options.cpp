@@ -17,14 +17,16 @@ namespace {
 constexpr std::uint32_t MAX_SIDE = 65536; // pixels; whether the film fits is for the device to say
 constexpr double HUGE_NUMBER = std::numeric_limits<float>::max();
 
-// A finite number from `low` to `high`; without a description, which CLI11 would put into the help's option names.
+// A finite number from `low` to `high`; without a description, which CLI11 would put into the help's option
+// names.
 CLI::Validator number(double low, double high) {
     return CLI::Validator(
         [low, high](const std::string& text) {
             char* end = nullptr;
             const double value = std::strtod(text.c_str(), &end);
             if (!text.empty() && *end == '\0' && value >= low && value <= high) return std::string();
-            if (high == HUGE_NUMBER && low == -HUGE_NUMBER) return fmt::format("'{}' is not a finite number", text);
+            if (high == HUGE_NUMBER && low == -HUGE_NUMBER)
+                return fmt::format("'{}' is not a finite number", text);
             if (high == HUGE_NUMBER) return fmt::format("'{}' is not a number of at least {}", text, low);
             return fmt::format("'{}' is not a number from {} to {}", text, low, high);
         },
@@ -43,9 +45,10 @@ void set_size(RenderSettings& settings, const std::string& text) {
         const auto [rest, height_error] = std::from_chars(x + 1, end, settings.height);
         good = height_error == std::errc() && rest == end;
     }
-    if (!good || settings.width == 0 || settings.height == 0 || settings.width > MAX_SIDE || settings.height > MAX_SIDE)
-        throw CLI::ValidationError(fmt::format("--size: '{}' is not WIDTHxHEIGHT, such as 1280x720, of at most {} each",
-                                               text, MAX_SIDE));
+    if (!good || settings.width == 0 || settings.height == 0 || settings.width > MAX_SIDE ||
+        settings.height > MAX_SIDE)
+        throw CLI::ValidationError(fmt::format(
+            "--size: '{}' is not WIDTHxHEIGHT, such as 1280x720, of at most {} each", text, MAX_SIDE));
 }
 
 void set_background(RenderOptions& options, const std::string& text) {
@@ -56,7 +59,8 @@ void set_background(RenderOptions& options, const std::string& text) {
         good = number(0, HUGE_NUMBER)(parts[i]).empty();
         color[i] = std::strtof(parts[i].c_str(), nullptr);
     }
-    if (!good) throw CLI::ValidationError(fmt::format("--background: '{}' is not R,G,B of at least 0 each", text));
+    if (!good)
+        throw CLI::ValidationError(fmt::format("--background: '{}' is not R,G,B of at least 0 each", text));
     options.background = color;
 }
 
@@ -68,8 +72,9 @@ void set_filter(RenderSettings& settings, const std::string& name) {
 
 void declare_output(CLI::App& app, RenderOptions& o) {
     const std::string group = "Output";
-    app.add_option("-o,--output", o.outputs,
-                   ".exr (linear radiance, every layer), .png or .jpg (tone-mapped, sRGB) or .hdr; may be repeated")
+    app.add_option(
+           "-o,--output", o.outputs,
+           ".exr (linear radiance, every layer), .png or .jpg (tone-mapped, sRGB) or .hdr; may be repeated")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
@@ -87,12 +92,14 @@ void declare_output(CLI::App& app, RenderOptions& o) {
         ->type_name("EV")
         ->check(number(-100, 100))
         ->group(group);
-    app.add_option("--report", o.report,
-                   "JSON: settings, hashes of scene and shaders, device, driver, versions, time per kernel, rays")
+    app.add_option(
+           "--report", o.report,
+           "JSON: settings, hashes of scene and shaders, device, driver, versions, time per kernel, rays")
         ->type_name("FILE.json")
         ->group(group);
     app.add_option("--progress", o.progress,
-                   "auto (default): a line on stderr where that is a terminal; none; json: one object a line on stdout")
+                   "auto (default): a line on stderr where that is a terminal; none; json: one object a line "
+                   "on stdout")
         ->type_name("MODE")
         ->check(CLI::IsMember({"auto", "json", "none"}).description(""))
         ->group(group);
@@ -143,7 +150,8 @@ void declare_image(CLI::App& app, RenderOptions& o) {
 void declare_method(CLI::App& app, RenderOptions& o) {
     const std::string group = "Method";
     RenderSettings& s = o.settings;
-    const auto choice = [&](const char* name, std::string& value, std::string_view what, std::span<const Choice> rows) {
+    const auto choice = [&](const char* name, std::string& value, std::string_view what,
+                            std::span<const Choice> rows) {
         app.add_option(name, value, help_from(fmt::format("{} (default {})", what, value), rows))
             ->type_name("NAME")
             ->check(one_of(rows))
@@ -170,7 +178,8 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
     app.add_option("--env", o.environment, "Environment map, equirectangular: .hdr or .exr")
         ->type_name("FILE")
         ->group(group);
-    app.add_option("--env-rotation", o.environment_options.rotation_degrees, "Turns the map about +Y (default 0)")
+    app.add_option("--env-rotation", o.environment_options.rotation_degrees,
+                   "Turns the map about +Y (default 0)")
         ->type_name("DEGREES")
         ->check(number(-HUGE_NUMBER, HUGE_NUMBER))
         ->group(group);
@@ -180,7 +189,8 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; a scene without any light: an environment of 1,1,1)")
+           "Radiance where there is no map (default 0,0,0; a scene without any light: an environment of "
+           "1,1,1)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(
@@ -210,7 +220,8 @@ void declare_device(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_flag("--pointers", o.device.force_pointers, "Read tables through pointers, not texel buffers")
         ->group(group);
-    app.add_flag("--validate", o.device.validation, "Load the Vulkan validation layer; its messages are warnings")
+    app.add_flag("--validate", o.device.validation,
+                 "Load the Vulkan validation layer; its messages are warnings")
         ->group(group);
     app.add_flag("--no-cache", o.no_cache, "Neither read nor write compiled pipelines (in ~/.cache/ajar)")
         ->group(group);

@@ -2,6 +2,7 @@
 #include "cli/run_ajar.hpp"
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -12,7 +13,11 @@ namespace {
 
 // One line "ajar: error: ...", exit code 2, a hint where to look.
 void expect_usage_error(const std::vector<std::string>& arguments, const std::string& part) {
-    const Result result = run_ajar(arguments);
+    const TemporaryFolder folder;
+    Surroundings surroundings;
+    surroundings.folder = folder.path();
+    const Result result = run_ajar(arguments, surroundings);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
     EXPECT_EQ(result.exit_code, 2) << result.err;
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(result.err.starts_with("ajar: error: ")) << result.err;
@@ -46,7 +51,8 @@ TEST(Help, OfTheCommandItselfNamesTheOthers) {
 
 TEST(Help, FitsEightyColumns) {
     for (const char* command : {"render", "compare", "info", "devices"})
-        for (const std::string& line : lines(run_ajar({command, "--help"}).out)) EXPECT_LE(line.size(), 80u) << line;
+        for (const std::string& line : lines(run_ajar({command, "--help"}).out))
+            EXPECT_LE(line.size(), 80u) << line;
 }
 
 TEST(Help, ListsEveryRowOfEveryTable) {
@@ -84,16 +90,19 @@ TEST(Usage, NamesOutsideTheTablesAreErrorsThatListThem) {
     for (const char* option : {"--integrator", "--strategy", "--light-sampler", "--filter", "--tonemap"})
         expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", option, "nonsense"},
                            "nonsense not in {");
-    expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--integrator", "nonsense"}, "path");
+    expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--integrator", "nonsense"},
+                       "path");
 }
 
 TEST(Usage, BadValuesAreErrors) {
     const std::vector<std::pair<std::string, std::string>> bad{
-        {"--size", "100"},         {"--size", "0x10"},         {"--size", "10x10x10"}, {"--size", "-4x4"},
-        {"--size", "100000x4"},    {"--samples", "0"},         {"--samples", "-1"},    {"--samples", "1.5"},
-        {"--samples", "99999999999"}, {"--seed", "abc"},       {"--exposure", "nan"},  {"--background", "1,2"},
-        {"--background", "1,nan,0"}, {"--background", "-1,0,0"}, {"--time-limit", "-1"}, {"--backfaces", "maybe"},
-        {"--progress", "loud"},    {"--max-bounces", ""},      {"--slice", "inf"}};
+        {"--size", "100"},           {"--size", "0x10"},         {"--size", "10x10x10"},
+        {"--size", "-4x4"},          {"--size", "100000x4"},     {"--samples", "0"},
+        {"--samples", "-1"},         {"--samples", "1.5"},       {"--samples", "99999999999"},
+        {"--seed", "abc"},           {"--exposure", "nan"},      {"--background", "1,2"},
+        {"--background", "1,nan,0"}, {"--background", "-1,0,0"}, {"--time-limit", "-1"},
+        {"--backfaces", "maybe"},    {"--progress", "loud"},     {"--max-bounces", ""},
+        {"--slice", "inf"}};
     for (const auto& [option, value] : bad) {
         SCOPED_TRACE(option + " " + value);
         expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", option, value}, option);

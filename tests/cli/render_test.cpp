@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 
 // A tiny Cornell box; further arguments win over these.
 std::vector<std::string> tiny(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", scene_path("cornell-box"), "--size", "24x16", "--samples", "2"};
+    std::vector<std::string> arguments{"render", scene_path("cornell-box"), "--size", "24x16", "--samples",
+                                       "2"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -36,7 +37,8 @@ std::size_t file_count(const fs::path& folder) {
 }
 
 bool is_finite(const Layer& layer) {
-    return std::all_of(layer.pixels.begin(), layer.pixels.end(), [](float value) { return std::isfinite(value); });
+    return std::all_of(layer.pixels.begin(), layer.pixels.end(),
+                       [](float value) { return std::isfinite(value); });
 }
 
 } // namespace
@@ -70,8 +72,8 @@ TEST(Render, WritesTheLayersThatAovAsksFor) {
     EXPECT_EQ(plain.find("albedo"), nullptr);
     ASSERT_EQ(run_ajar(tiny({"-o", file, "--aov", "--float"})).exit_code, 0);
     const Image full = read_image(file);
-    for (const char* layer :
-         {"variance", "albedo", "normal", "position", "depth", "emission", "object_id", "material_id", "samples"})
+    for (const char* layer : {"variance", "albedo", "normal", "position", "depth", "emission", "object_id",
+                              "material_id", "samples"})
         EXPECT_NE(full.find(layer), nullptr) << layer;
 }
 
@@ -112,7 +114,8 @@ TEST(Render, MetadataReproducesTheImage) {
 TEST(Render, ReportTellsWhatTheImageWasMadeOf) {
     const TemporaryFolder folder;
     const fs::path file = folder / "a.json";
-    const Result result = run_ajar(tiny({"--report", file.string(), "--max-bounces", "3", "--filter", "gaussian"}));
+    const Result result =
+        run_ajar(tiny({"--report", file.string(), "--max-bounces", "3", "--filter", "gaussian"}));
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const Json report = Json::parse(read_text(file));
     EXPECT_EQ(report["ajar"]["version"], AJAR_VERSION);
@@ -161,11 +164,13 @@ TEST(Render, WithoutAnyLightTakesADefaultEnvironmentAndSaysSo) {
     const fs::path scene = folder / "triangle.gltf";
     write_text(scene, R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+        "min":[0,0,0],"max":[1,1,0]}],
         "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":
         "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
     const fs::path image = folder / "a.exr";
-    const std::vector<std::string> arguments{"render", scene.string(), "-o", image.string(), "--size", "16x16"};
+    const std::vector<std::string> arguments{"render",       scene.string(), "-o",
+                                             image.string(), "--size",       "16x16"};
     const Result result = run_ajar(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.err.find("no light"), std::string::npos) << result.err;
@@ -188,8 +193,9 @@ TEST(Render, AWrongSceneIsOneClearLine) {
     expect_world_error({"render", (folder / "noise.glb").string(), "-o", out}, "noise.glb");
     write_text(folder / "index.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[4711]}]})");
     expect_world_error({"render", (folder / "index.gltf").string(), "-o", out}, "index.gltf");
-    write_text(folder / "cycle.gltf",
-               R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})");
+    write_text(
+        folder / "cycle.gltf",
+        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})");
     expect_world_error({"render", (folder / "cycle.gltf").string(), "-o", out}, "cycle.gltf");
     expect_world_error(tiny({"-o", out, "--camera", "no such camera"}), "no such camera");
     expect_world_error(tiny({"-o", out, "--scene", "7"}), "7");
@@ -205,7 +211,8 @@ TEST(Render, AnOutputThatCannotBeWrittenIsSaidBeforeRendering) {
     for (const auto& [name, part] : bad)
         expect_world_error({"render", "not even looked at.glb", "-o", (folder / name).string()}, part);
     fs::create_directory(folder / "folder.png");
-    expect_world_error({"render", "not even looked at.glb", "-o", (folder / "folder.png").string()}, "folder");
+    expect_world_error({"render", "not even looked at.glb", "-o", (folder / "folder.png").string()},
+                       "folder");
     expect_world_error({"render", "not even looked at.glb", "--report", (folder / "missing/a.json").string()},
                        "missing");
 }

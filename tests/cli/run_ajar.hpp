@@ -18,7 +18,7 @@ struct Result {
 struct Surroundings {
     std::map<std::string, std::string> environment; // on top of the test's own
     std::filesystem::path folder;                   // empty: the test's own
-    std::uintmax_t max_file_bytes = 0;              // 0: no limit. A longer file fails to be written, as on a full disk
+    std::uintmax_t max_file_bytes = 0; // 0: no limit. A longer file fails to be written, as on a full disk
 };
 
 // A program that runs while the test goes on.

@@ -1,4 +1,5 @@
-// What ends a render early: Ctrl-C, SIGTERM, a time limit. What is done is kept, and no half file is ever left.
+// What ends a render early: Ctrl-C, SIGTERM, a time limit. What is done is kept, and no half file is ever
+// left.
 #include "cli/run_ajar.hpp"
 #include "image/read.hpp"
 #include "support/temporary_folder.hpp"
@@ -17,8 +18,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 std::vector<std::string> endless(const fs::path& output) {
-    return ajar_command({"render", scene_path("cornell-box"), "--size", "32x32", "--samples", "100000000", "-o",
-                         output.string(), "--progress", "json"});
+    return ajar_command({"render", scene_path("cornell-box"), "--size", "32x32", "--samples", "100000000",
+                         "-o", output.string(), "--progress", "json"});
 }
 
 // Reads progress until that many samples are done.
@@ -32,7 +33,8 @@ bool wait_for_samples(Process& process, std::uint64_t samples) {
 
 std::vector<std::string> files_in(const fs::path& folder) {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }
@@ -111,8 +113,8 @@ TEST(Stop, ASecondCtrlCLeavesNoHalfFile) {
 TEST(Stop, ATimeLimitKeepsWhatIsDone) {
     const TemporaryFolder folder;
     const std::string output = (folder / "a.exr").string(), report = (folder / "a.json").string();
-    const Result result = run_ajar({"render", scene_path("cornell-box"), "--size", "32x32", "--samples", "100000000",
-                                    "--time-limit", "0.5", "-o", output, "--report", report});
+    const Result result = run_ajar({"render", scene_path("cornell-box"), "--size", "32x32", "--samples",
+                                    "100000000", "--time-limit", "0.5", "-o", output, "--report", report});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.err.find("time limit: "), std::string::npos) << result.err;
     const Json json = Json::parse(read_text(report));
