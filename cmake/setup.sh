@@ -24,6 +24,7 @@ libtinygltf-dev           reads glTF
 libdraco-dev              reads Draco-compressed meshes
 libmeshoptimizer-dev      reads meshopt-compressed meshes
 libopenimageio-dev        reads and writes images
+openimageio-tools         named by the CMake package of the former
 libgtest-dev              the tests
 END
 }
