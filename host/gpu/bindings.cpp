@@ -24,7 +24,7 @@ vk::Format texel_format(std::uint32_t binding) {
 }
 
 [[maybe_unused]] bool is_table(std::uint32_t binding) {
-    return binding >= shared::BIND_TABLE_FIRST && binding <= shared::BIND_TABLE_LAST;
+    return binding >= shared::BIND_TEXEL_FIRST && binding <= shared::BIND_TEXEL_LAST;
 }
 
 bool view_fits(const Device& device, std::uint32_t binding, std::uint64_t size_bytes) {
@@ -43,7 +43,7 @@ Bindings::Impl::Impl(const Device& device_in)
         vk::DescriptorPoolSize(Type::eUniformBuffer, 1),
         vk::DescriptorPoolSize(Type::eStorageBuffer,
                                shared::BIND_STORAGE_LAST - shared::BIND_STORAGE_FIRST + 1),
-        vk::DescriptorPoolSize(Type::eUniformTexelBuffer, shared::TABLE_COUNT)};
+        vk::DescriptorPoolSize(Type::eUniformTexelBuffer, shared::TEXEL_BINDING_COUNT)};
     try {
         pool = vk::raii::DescriptorPool(owner.device,
                                         {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
@@ -53,12 +53,12 @@ Bindings::Impl::Impl(const Device& device_in)
     } catch (const vk::SystemError& error) {
         throw_error("descriptor set", error);
     }
-    for (std::uint32_t i = 0; i < shared::TABLE_COUNT; ++i) views.emplace_back(nullptr);
+    for (std::uint32_t i = 0; i < shared::TEXEL_BINDING_COUNT; ++i) views.emplace_back(nullptr);
     set(shared::BIND_FRAME, Type::eUniformBuffer, dummy.impl(), DUMMY_BYTES);
     for (std::uint32_t i = shared::BIND_STORAGE_FIRST; i <= shared::BIND_STORAGE_LAST; ++i) {
         set(i, Type::eStorageBuffer, dummy.impl(), DUMMY_BYTES);
     }
-    for (std::uint32_t i = shared::BIND_TABLE_FIRST; i <= shared::BIND_TABLE_LAST; ++i)
+    for (std::uint32_t i = shared::BIND_TEXEL_FIRST; i <= shared::BIND_TEXEL_LAST; ++i)
         set_table(i, dummy.impl());
 }
 
@@ -72,7 +72,7 @@ void Bindings::Impl::set(std::uint32_t binding, vk::DescriptorType type, const B
 void Bindings::Impl::set_table(std::uint32_t binding, const Buffer::Impl& buffer) {
     const std::uint64_t texel = texel_bytes(binding);
     const std::uint64_t range = std::max(texel, (buffer.size_bytes + texel - 1) / texel * texel);
-    vk::raii::BufferView& view = views[binding - shared::BIND_TABLE_FIRST];
+    vk::raii::BufferView& view = views[binding - shared::BIND_TEXEL_FIRST];
     try {
         vk::raii::BufferView made(device.impl().device,
                                   {{}, *buffer.buffer, texel_format(binding), 0, range});

@@ -17,7 +17,7 @@ class Bindings {
     void uniform(const Buffer& buffer);
     // BIND_STORAGE_FIRST..LAST. The range must be within limits().max_storage_bytes (assert).
     void storage(std::uint32_t binding, const Buffer& buffer);
-    // BIND_TABLE_FIRST..LAST: RGBA32UI, BIND_TEXELS RGBA8 UNORM. A buffer that does not fit is not bound.
+    // BIND_TEXEL_FIRST..LAST: RGBA32UI, BIND_TEXELS RGBA8 UNORM. A buffer that does not fit is not bound.
     void table(std::uint32_t binding, const Buffer& buffer);
 
     // Whether a table of so many bytes can be a texel buffer of this device (elements, bytes < 2^31), and may

@@ -47,9 +47,9 @@ void check_limits(const vk::PhysicalDeviceLimits& limits, std::vector<std::strin
         if (has < wants) missing.push_back(fmt::format("{} of {} (has {})", name, wants, has));
     };
     need(limits.maxPerStageDescriptorStorageBuffers, STORAGE_BINDINGS, "maxPerStageDescriptorStorageBuffers");
-    need(limits.maxPerStageDescriptorSampledImages, shared::TABLE_COUNT,
+    need(limits.maxPerStageDescriptorSampledImages, shared::TEXEL_BINDING_COUNT,
          "maxPerStageDescriptorSampledImages");
-    need(limits.maxPerStageResources, STORAGE_BINDINGS + shared::TABLE_COUNT + 1, "maxPerStageResources");
+    need(limits.maxPerStageResources, STORAGE_BINDINGS + shared::TEXEL_BINDING_COUNT + 1, "maxPerStageResources");
     need(limits.maxPushConstantsSize, PUSH_CONSTANT_BYTES, "maxPushConstantsSize");
 }
 

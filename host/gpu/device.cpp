@@ -141,7 +141,7 @@ void Device::Impl::create_layouts() {
     };
     add(shared::BIND_FRAME, shared::BIND_FRAME, Type::eUniformBuffer);
     add(shared::BIND_STORAGE_FIRST, shared::BIND_STORAGE_LAST, Type::eStorageBuffer);
-    add(shared::BIND_TABLE_FIRST, shared::BIND_TABLE_LAST, Type::eUniformTexelBuffer);
+    add(shared::BIND_TEXEL_FIRST, shared::BIND_TEXEL_LAST, Type::eUniformTexelBuffer);
     set_layout = vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
     const vk::PushConstantRange args(vk::ShaderStageFlagBits::eCompute, 0, 128);
     pipeline_layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *set_layout, args));

@@ -143,6 +143,7 @@ gpu::Specialization RenderJob::specialization() const {
             {SPEC_SEGMENT_SIZE, pool_.segment_paths()},
             {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u},
             {SPEC_FEATURES, features},
+            {SPEC_PATH_TEXELS, pool_.read_by_texels(device_) ? 1u : 0u},
             {SPEC_STRATEGY, find_strategy(settings_.strategy)},
             {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)}};
 }

@@ -5,17 +5,30 @@
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
 #include "../shared/path.glsl.h"
+#include "variants.glsl"
 
 layout(set = 0, binding = BIND_PATHS, std430) buffer PathsBlock { uvec4 path_words[]; };
 layout(set = 0, binding = BIND_SHADOW_RAYS, std430) buffer ShadowRaysBlock { uvec4 shadow_ray_words[]; };
 layout(set = 0, binding = BIND_SEGMENTS, scalar) buffer SegmentsBlock { SegmentCounts segments[]; };
 layout(set = 0, binding = BIND_RADIANCE, std430) buffer RadianceBlock { vec4 radiance[]; };
+layout(set = 0, binding = BIND_PATHS_READ) uniform usamplerBuffer path_texels;
+layout(set = 0, binding = BIND_SHADOW_RAYS_READ) uniform usamplerBuffer shadow_ray_texels;
+
+uvec4 path_word(uint i) {
+    if (PATH_TEXELS != 0u) return texelFetch(path_texels, int(i));
+    return path_words[i];
+}
+
+uvec4 shadow_ray_word(uint i) {
+    if (PATH_TEXELS != 0u) return texelFetch(shadow_ray_texels, int(i));
+    return shadow_ray_words[i];
+}
 
 PathState path_load(uint slot) {
-    uvec4 a = path_words[4u * slot];
-    uvec4 b = path_words[4u * slot + 1u];
-    uvec4 c = path_words[4u * slot + 2u];
-    uvec4 d = path_words[4u * slot + 3u];
+    uvec4 a = path_word(4u * slot);
+    uvec4 b = path_word(4u * slot + 1u);
+    uvec4 c = path_word(4u * slot + 2u);
+    uvec4 d = path_word(4u * slot + 3u);
     return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
                      c.w, d.x, d.y, uintBitsToFloat(d.z), uintBitsToFloat(d.w));
 }
@@ -33,10 +46,10 @@ void path_store(uint slot, PathState path) {
 }
 
 ShadowRay shadow_ray_load(uint slot) {
-    uvec4 a = shadow_ray_words[4u * slot];
-    uvec4 b = shadow_ray_words[4u * slot + 1u];
-    uvec4 c = shadow_ray_words[4u * slot + 2u];
-    uvec4 d = shadow_ray_words[4u * slot + 3u];
+    uvec4 a = shadow_ray_word(4u * slot);
+    uvec4 b = shadow_ray_word(4u * slot + 1u);
+    uvec4 c = shadow_ray_word(4u * slot + 2u);
+    uvec4 d = shadow_ray_word(4u * slot + 3u);
     return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
                      c.w, d.x, d.y, d.z, d.w);
 }

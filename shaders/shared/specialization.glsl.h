@@ -11,6 +11,7 @@ const uint SPEC_FEATURES = 3;       // what the scene has: FEATURE_* bits; code 
 const uint SPEC_STRATEGY = 4;       // STRATEGY_*: which sampling sees the luminaires
 const uint SPEC_LIGHT_SAMPLER = 5;  // LIGHT_SAMPLER_*
 const uint SPEC_OPTION = 6;         // a kernel's own variant, named in its header
+const uint SPEC_PATH_TEXELS = 7;    // 1: paths and shadow rays are read through texel buffers (lavapipe: branch-free)
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy
 const uint FEATURE_ALPHA = 1u << 1;           // some triangles need an alpha or facing test when hit
