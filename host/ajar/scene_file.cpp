@@ -2,8 +2,8 @@
 
 #include "ajar/scene_hash.hpp"
 #include "base/error.hpp"
-#include "image/read.hpp"
 #include "import/import.hpp"
+#include "scene/default_environment.hpp"
 #include "scene/scene.hpp"
 
 #include <algorithm>
@@ -51,12 +51,7 @@ void SceneFile::set_environment(const std::filesystem::path& map, const Environm
     if (!std::isfinite(options.strength) || options.strength < 0 || !std::isfinite(options.rotation_degrees))
         throw Error(fmt::format("{}: an environment's strength must be at least 0 and its rotation finite",
                                 map.string()));
-    EnvironmentImage image = read_environment(map);
-    Environment& environment = impl_->scene.environment.emplace();
-    environment.name = map.filename().string();
-    environment.width = image.width;
-    environment.height = image.height;
-    environment.radiance = std::move(image.radiance);
+    Environment& environment = impl_->scene.environment.emplace(import_environment(map));
     environment.scale = glm::vec3(options.strength);
     environment.rotation = glm::radians(options.rotation_degrees);
 }
@@ -69,6 +64,8 @@ void SceneFile::set_environment(float red, float green, float blue) {
     environment.name = "constant";
     environment.scale = radiance;
 }
+
+void SceneFile::set_default_environment() { impl_->scene.environment = default_environment(); }
 
 bool SceneFile::has_light() const {
     const Scene& scene = impl_->scene;

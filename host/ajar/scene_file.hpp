@@ -36,6 +36,8 @@ class SceneFile {
     void set_environment(const std::filesystem::path& map, const EnvironmentOptions& options = {});
     // The same radiance (linear Rec. 709) from everywhere.
     void set_environment(float red, float green, float blue);
+    // A soft neutral studio, for scenes that bring no light of their own.
+    void set_default_environment();
 
     // False where every pixel would be black: no light, no environment, nothing that emits or is unlit.
     bool has_light() const;

@@ -36,9 +36,8 @@ SceneFile load(RenderOptions& o, ProgressDisplay& display) {
     if (!o.environment.empty()) scene.set_environment(o.environment, o.environment_options);
     if (o.background) std::copy(o.background->begin(), o.background->end(), o.settings.background);
     if (!o.background && !scene.has_light()) {
-        scene.set_environment(1, 1, 1);
-        display.notice(
-            "the scene has no light: lit by a constant environment of radiance 1 (see --env, --background)");
+        scene.set_default_environment();
+        display.notice("the scene has no light: lit by a soft grey studio (see --env, --background)");
     }
     return scene;
 }
