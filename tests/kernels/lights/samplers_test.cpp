@@ -1,5 +1,7 @@
 // Which light gets picked: stated probabilities against counts.
 #include "light_functions.hpp"
+#include "render/choices.hpp"
+#include "render/render.hpp"
 #include "support/statistics.hpp"
 
 #include <cmath>
@@ -38,23 +40,39 @@ class LightSamplers : public LightFunctions, public testing::WithParamInterface<
   protected:
     static std::vector<LightItem> pick(const Lighting& lighting, std::size_t count) {
         std::mt19937 random(9);
-        std::vector<LightItem> items(count);
-        for (LightItem& item : items) {
-            item.point = 4.0f * glm::vec3(uniform(random), uniform(random), uniform(random));
-            item.direction = glm::vec3(0, 1, 0);
-            item.uv.x = uniform(random);
-        }
+        std::vector<LightItem> items(count, receiver());
+        for (LightItem& item : items) item.uv.x = uniform(random);
         // The ends of the range.
         items[0].uv.x = 0;
         items[1].uv.x = 1 - 0x1p-24f;
         return run(LIGHTS_PICK, lighting, std::move(items));
     }
+
+    // Of each of `count` lights, as seen from the receiver.
+    static std::vector<float> pmf(const Lighting& lighting, std::size_t count) {
+        std::vector<LightItem> items(count, receiver());
+        for (std::size_t i = 0; i < count; ++i) items[i].light = static_cast<std::uint32_t>(i);
+        std::vector<float> result;
+        for (const LightItem& item : run(LIGHTS_PMF, lighting, std::move(items))) result.push_back(item.pdf);
+        return result;
+    }
+
+    static LightItem receiver() {
+        LightItem item{};
+        item.point = glm::vec3(0.3f, -2, 0.7f);
+        item.direction = glm::vec3(0, 1, 0);
+        return item;
+    }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, LightSamplers, testing::Values(LIGHT_SAMPLER_POWER, LIGHT_SAMPLER_UNIFORM),
-                         [](const auto& row) {
-                             return row.param == LIGHT_SAMPLER_POWER ? "Power" : "Uniform";
-                         });
+// Every row of the table that --light-sampler accepts.
+std::vector<std::uint32_t> all_samplers() {
+    std::vector<std::uint32_t> constants;
+    for (const Choice& row : light_samplers()) constants.push_back(find_light_sampler(row.name));
+    return constants;
+}
+INSTANTIATE_TEST_SUITE_P(All, LightSamplers, testing::ValuesIn(all_samplers()),
+                         [](const auto& row) { return light_samplers()[row.index].name; });
 
 TEST_P(LightSamplers, PickLightsAsOftenAsTheySay) {
     for (const std::size_t triangle_count : {0u, 1u, 12u, 124u, 3000u}) {
@@ -62,23 +80,18 @@ TEST_P(LightSamplers, PickLightsAsOftenAsTheySay) {
         const std::size_t count = triangle_count + 4;
         const std::vector<LightItem> picks = pick(lighting, 400000);
         std::vector<double> observed(count, 0);
-        std::vector<double> pmf(count, 0);
+        const std::vector<float> probabilities = pmf(lighting, count);
         for (const LightItem& item : picks) {
             ASSERT_LT(item.light, count);
             ASSERT_GT(item.pdf, 0.0f);
-            ASSERT_EQ(item.pdf, item.distance) << "pick and pmf disagree about light " << item.light;
+            ASSERT_EQ(item.pdf, probabilities[item.light])
+                << "pick and pmf disagree about light " << item.light;
             observed[item.light] += 1;
-            pmf[item.light] = item.pdf;
         }
-        // Lights that were never picked: what the table says.
-        const LightTable table = lighting.table();
-        for (std::size_t i = 0; i < count; ++i)
-            if (observed[i] == 0)
-                pmf[i] = GetParam() == LIGHT_SAMPLER_UNIFORM ? 1.0 / static_cast<double>(count)
-                                                             : double{table.lights[i].power_pmf};
-        EXPECT_NEAR(std::accumulate(pmf.begin(), pmf.end(), 0.0), 1, 1e-5);
-        for (double& p : pmf) p *= static_cast<double>(picks.size());
-        const ChiSquare test = chi_square(observed, pmf);
+        std::vector<double> expected(probabilities.begin(), probabilities.end());
+        EXPECT_NEAR(std::accumulate(expected.begin(), expected.end(), 0.0), 1, 1e-5);
+        for (double& p : expected) p *= static_cast<double>(picks.size());
+        const ChiSquare test = chi_square(observed, expected);
         EXPECT_GT(test.p, sidak_level(SIGNIFICANCE, 10))
             << triangle_count << " triangles: " << test.statistic;
     }
@@ -88,9 +101,9 @@ TEST_P(LightSamplers, ReturnARestThatIsUniformAgain) {
     const std::vector<LightItem> picks = pick(many_lights(12, GetParam()), 400000);
     std::vector<double> observed(64, 0);
     for (const LightItem& item : picks) {
-        ASSERT_GE(item.direction.x, 0.0f);
-        ASSERT_LT(item.direction.x, 1.0f);
-        observed[static_cast<std::size_t>(item.direction.x * 64)] += 1;
+        ASSERT_GE(item.uv.x, 0.0f);
+        ASSERT_LT(item.uv.x, 1.0f);
+        observed[static_cast<std::size_t>(item.uv.x * 64)] += 1;
     }
     const std::vector<double> expected(64, static_cast<double>(picks.size()) / 64);
     EXPECT_GT(chi_square(observed, expected).p, sidak_level(SIGNIFICANCE, 2));

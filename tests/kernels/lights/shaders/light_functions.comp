@@ -19,12 +19,10 @@ void sample_light(inout LightItem item) {
 }
 
 void pick_light(inout LightItem item) {
-    const vec3 normal = item.direction;
-    const LightPick pick = light_sampler_pick(item.point, normal, item.uv.x);
+    const LightPick pick = light_sampler_pick(item.point, item.direction, item.uv.x);
     item.light = pick.light;
     item.pdf = pick.pmf;
-    item.direction = vec3(pick.u);
-    item.distance = light_sampler_pmf(item.point, normal, pick.light);
+    item.uv.x = pick.u;
 }
 
 void main() {
@@ -34,6 +32,7 @@ void main() {
     switch (OPTION) {
     case LIGHTS_SAMPLE: sample_light(item); break;
     case LIGHTS_PICK: pick_light(item); break;
+    case LIGHTS_PMF: item.pdf = light_sampler_pmf(item.point, item.direction, item.light); break;
     case LIGHTS_ENVIRONMENT: {
         const vec4 found = environment_lookup(item.direction);
         item.radiance = found.rgb;

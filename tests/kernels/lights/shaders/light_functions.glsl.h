@@ -5,11 +5,11 @@
 DUAL_BEGIN
 
 // SPEC_OPTION.
-const uint LIGHTS_SAMPLE = 0; // point, light, uv -> LightSample
-const uint LIGHTS_PICK = 1;   // point, normal = direction, uv.x -> light, pdf = pmf, direction.x = rest of u;
-                              //   distance = pmf of that light, asked again
-const uint LIGHTS_ENVIRONMENT = 2;  // direction -> radiance, pdf
-const uint LIGHTS_TRIANGLE_PDF = 3; // direction, distance, normal = point, area = uv.x -> pdf
+const uint LIGHTS_SAMPLE = 0;       // point, light, uv -> LightSample
+const uint LIGHTS_PICK = 1;         // point, direction = normal, uv.x -> light, pdf = pmf, uv.x = rest of u
+const uint LIGHTS_PMF = 2;          // point, direction = normal, light -> pdf = pmf
+const uint LIGHTS_ENVIRONMENT = 3;  // direction -> radiance, pdf
+const uint LIGHTS_TRIANGLE_PDF = 4; // direction, distance, point = ng, uv.x = area -> pdf
 
 struct LightItem {
     vec3 point;
