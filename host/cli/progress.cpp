@@ -65,8 +65,10 @@ void ProgressDisplay::update(const Progress& p) {
         print_json(json);
         return;
     }
-    print_stderr(fmt::format("\r\x1b[K{}/{} samples  {:.3g}/s  {}", p.done, p.total, rate,
-                             left < 0 ? "" : clock_time(left) + " left"));
+    std::string line = fmt::format("\r\x1b[K{}/{} samples", p.done, p.total);
+    if (rate > 0) line += fmt::format("  {:.3g}/s", rate);
+    if (left >= 0) line += fmt::format("  {} left", clock_time(left));
+    print_stderr(line);
     line_open_ = true;
 }
 

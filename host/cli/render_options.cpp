@@ -189,8 +189,8 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; a scene without any light: an environment of "
-           "1,1,1)")
+           "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets a soft "
+           "grey studio)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(
