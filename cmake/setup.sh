@@ -26,6 +26,7 @@ libmeshoptimizer-dev      reads meshopt-compressed meshes
 libopenimageio-dev        reads and writes images
 openimageio-tools         named by the CMake package of the former
 libgtest-dev              the tests
+python3                   the scenes' generator, which a test runs
 END
 }
 
