@@ -38,13 +38,16 @@ Elements locate(const JsonObject& object, const BufferView& view, std::uint64_t 
     const std::size_t size = component_size(object) * components;
     const std::size_t stride = may_be_strided && view.stride != 0 ? view.stride : size;
     if (stride < size)
-        object.fail("", fmt::format("elements of {} bytes do not fit the view's byteStride of {}", size, stride));
+        object.fail("",
+                    fmt::format("elements of {} bytes do not fit the view's byteStride of {}", size, stride));
     const std::size_t available = view.bytes.size();
-    if (count != 0 && (offset > available || available - offset < size || (available - offset - size) / stride < count - 1))
-        object.fail("", fmt::format("{} elements of {} bytes from byte {} on do not fit a buffer view of {} bytes",
-                                    count, size, offset, available));
-    return {view.bytes.data() + std::min<std::uint64_t>(offset, available), stride, object.integer("componentType"),
-            components, false};
+    if (count != 0 &&
+        (offset > available || available - offset < size || (available - offset - size) / stride < count - 1))
+        object.fail(
+            "", fmt::format("{} elements of {} bytes from byte {} on do not fit a buffer view of {} bytes",
+                            count, size, offset, available));
+    return {view.bytes.data() + std::min<std::uint64_t>(offset, available), stride,
+            object.integer("componentType"), components, false};
 }
 
 // glTF 2.0, section 3.6.2.2: c / max, and for signed types no less than -1.
@@ -52,7 +55,8 @@ template <class Component, class Scalar> Scalar convert(Component value, bool no
     if constexpr (std::is_same_v<Scalar, float>) {
         if constexpr (std::is_integral_v<Component>)
             if (normalized)
-                return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Component>::max()),
+                return std::max(static_cast<float>(value) /
+                                    static_cast<float>(std::numeric_limits<Component>::max()),
                                 -1.0f);
         return static_cast<float>(value);
     } else {
@@ -72,8 +76,8 @@ void copy(const Elements& from, std::size_t count, Selection selection, Scalar* 
     }
 }
 
-template <class Scalar>
-void copy_any(const JsonObject& object, const Elements& from, std::size_t count, Selection selection, Scalar* out) {
+template <class Scalar> void copy_any(const JsonObject& object, const Elements& from, std::size_t count,
+                                      Selection selection, Scalar* out) {
     switch (from.type) {
     case U8: return copy<std::uint8_t>(from, count, selection, out);
     case U16: return copy<std::uint16_t>(from, count, selection, out);
@@ -114,9 +118,12 @@ unsigned Accessors::components(std::uint32_t accessor) const {
     accessors_[accessor].fail("type", fmt::format("'{}' does not exist", type));
 }
 
-bool Accessors::normalized(std::uint32_t accessor) const { return accessors_[accessor].flag("normalized", false); }
+bool Accessors::normalized(std::uint32_t accessor) const {
+    return accessors_[accessor].flag("normalized", false);
+}
 
-template <class Scalar> void Accessors::read_dense(std::uint32_t accessor, Selection selection, std::span<Scalar> out) {
+template <class Scalar>
+void Accessors::read_dense(std::uint32_t accessor, Selection selection, std::span<Scalar> out) {
     const JsonObject& object = accessors_[accessor];
     const auto view = object.index("bufferView", buffers_.view_count(), "buffer view");
     if (!view) return; // all zeros
@@ -137,10 +144,11 @@ void Accessors::apply_sparse(std::uint32_t accessor, const JsonObject& sparse, s
     const auto index_view = indices->index("bufferView", buffers_.view_count(), "buffer view");
     const auto value_view = values->index("bufferView", buffers_.view_count(), "buffer view");
     if (!index_view || !value_view) sparse.fail("", "its indices and values need buffer views");
-    const Elements at = locate(*indices, buffers_.view(*index_view), indices->integer("byteOffset", 0), count, 1, false);
+    const Elements at =
+        locate(*indices, buffers_.view(*index_view), indices->integer("byteOffset", 0), count, 1, false);
     // The values have the accessor's own type, so the complaint about them is the accessor's.
-    Elements from = locate(accessors_[accessor], buffers_.view(*value_view), values->integer("byteOffset", 0), count,
-                           components(accessor), false);
+    Elements from = locate(accessors_[accessor], buffers_.view(*value_view), values->integer("byteOffset", 0),
+                           count, components(accessor), false);
     from.normalized = normalized(accessor);
     std::vector<std::uint32_t> positions(count);
     copy_any(*indices, at, count, {}, positions.data());
@@ -148,20 +156,23 @@ void Accessors::apply_sparse(std::uint32_t accessor, const JsonObject& sparse, s
     copy_any(accessors_[accessor], from, count, {}, replacements.data());
     for (std::size_t i = 0; i < count; ++i) {
         if (positions[i] >= out.size() / from.components)
-            indices->fail("", fmt::format("index {} is out of range (the accessor has {} elements)", positions[i],
-                                          elements(accessor)));
+            indices->fail("", fmt::format("index {} is out of range (the accessor has {} elements)",
+                                          positions[i], elements(accessor)));
         std::copy_n(replacements.begin() + static_cast<std::ptrdiff_t>(i * from.components), from.components,
                     out.begin() + static_cast<std::ptrdiff_t>(std::size_t{positions[i]} * from.components));
     }
 }
 
-template <class Scalar, class T> std::vector<T> Accessors::read_as(std::uint32_t accessor, Selection selection) {
+template <class Scalar, class T>
+std::vector<T> Accessors::read_as(std::uint32_t accessor, Selection selection) {
     const JsonObject& object = accessors_[accessor];
     if (components(accessor) != COMPONENTS<T>)
-        object.fail("type", fmt::format("has {} components, {} are needed", components(accessor), COMPONENTS<T>));
+        object.fail("type",
+                    fmt::format("has {} components, {} are needed", components(accessor), COMPONENTS<T>));
     const auto sparse = object.object("sparse");
     const std::uint64_t total = elements(accessor);
-    if (!object.has("bufferView")) document_.charge(total * sizeof(T), object); // nothing else bounds its count
+    if (!object.has("bufferView"))
+        document_.charge(total * sizeof(T), object); // nothing else bounds its count
     // A selection of a sparse accessor is taken afterwards: substitution addresses the whole array.
     const std::size_t size = sparse || selection.empty() ? total : selection.size();
     if (object.has("bufferView")) { // checks the range before allocating

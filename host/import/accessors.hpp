@@ -19,7 +19,8 @@ class Accessors {
     bool normalized(std::uint32_t accessor) const;
     const JsonObject& object(std::uint32_t accessor) const { return accessors_[accessor]; }
 
-    // T: float, glm::vec2, vec3, vec4 or mat4; the accessor must have as many components. `selection` must be in range.
+    // T: float, glm::vec2, vec3, vec4 or mat4; the accessor must have as many components. `selection` must be
+    // in range.
     template <class T> std::vector<T> read(std::uint32_t accessor, Selection selection = {});
 
     // Unsigned integers as they are: vertex indices (std::uint32_t) and joints (glm::uvec4).
@@ -27,8 +28,10 @@ class Accessors {
 
   private:
     template <class Scalar, class T> std::vector<T> read_as(std::uint32_t accessor, Selection selection);
-    template <class Scalar> void read_dense(std::uint32_t accessor, Selection selection, std::span<Scalar> out);
-    template <class Scalar> void apply_sparse(std::uint32_t accessor, const JsonObject& sparse, std::span<Scalar> out);
+    template <class Scalar>
+    void read_dense(std::uint32_t accessor, Selection selection, std::span<Scalar> out);
+    template <class Scalar>
+    void apply_sparse(std::uint32_t accessor, const JsonObject& sparse, std::span<Scalar> out);
 
     Document& document_;
     Buffers& buffers_;

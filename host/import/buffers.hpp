@@ -23,7 +23,8 @@ class Buffers {
     // Decompressed where a compression extension asks for it. The bytes live as long as this.
     const BufferView& view(std::uint32_t index);
 
-    // The bytes [byteOffset, byteOffset + byteLength) of the buffer that an object with those three properties names.
+    // The bytes [byteOffset, byteOffset + byteLength) of the buffer that an object with those three
+    // properties names.
     std::span<const std::byte> range(const JsonObject& object);
 
   private:

@@ -8,14 +8,14 @@ namespace ajar::gltf {
 namespace {
 
 // Adds weight * displacement to the first three components.
-template <class Vec>
-void displace(const JsonObject& target, std::string_view name, float weight, PrimitiveReader& reader,
-              const Primitive& primitive, std::vector<Vec>& values) {
+template <class Vec> void displace(const JsonObject& target, std::string_view name, float weight,
+                                   PrimitiveReader& reader, const Primitive& primitive,
+                                   std::vector<Vec>& values) {
     const auto accessor = target.index(name, reader.accessors.count(), "accessor");
     if (!accessor || values.empty()) return;
     if (reader.accessors.elements(*accessor) != primitive.file_vertices)
-        target.fail(name, fmt::format("has {} elements for {} positions", reader.accessors.elements(*accessor),
-                                      primitive.file_vertices));
+        target.fail(name, fmt::format("has {} elements for {} positions",
+                                      reader.accessors.elements(*accessor), primitive.file_vertices));
     reader.document.charge(values.size() * sizeof(glm::vec3), target);
     const std::vector<glm::vec3> deltas = reader.accessors.read<glm::vec3>(*accessor, primitive.selection);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -84,7 +84,8 @@ void apply_skin(const JsonObject& json, std::span<const glm::mat4> joints, Primi
         const float flip = glm::dot(cofactor[0], linear[0]) < 0 ? -1.0f : 1.0f;
         if (!primitive.normals.empty()) primitive.normals[v] = flip * (cofactor * primitive.normals[v]);
         if (!primitive.tangents.empty())
-            primitive.tangents[v] = glm::vec4(linear * glm::vec3(primitive.tangents[v]), primitive.tangents[v].w);
+            primitive.tangents[v] =
+                glm::vec4(linear * glm::vec3(primitive.tangents[v]), primitive.tangents[v].w);
     }
     check_finite(json, primitive, "skinning");
 }

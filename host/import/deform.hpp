@@ -1,4 +1,5 @@
-// The shape a file gives before any animation: morph targets at their default weights, skins at the pose of the nodes.
+// The shape a file gives before any animation: morph targets at their default weights, skins at the pose of
+// the nodes.
 #pragma once
 
 #include "import/nodes.hpp"

@@ -47,7 +47,8 @@ void Document::read_container(std::span<const std::byte> bytes) {
         throw Error(fmt::format("{}: is a GLB of version {} (only 2 can be read)", file(), version));
     const std::size_t length = read_u32(bytes, 8);
     if (length > bytes.size())
-        throw Error(fmt::format("{}: the GLB is cut off: {} of {} bytes are there", file(), bytes.size(), length));
+        throw Error(
+            fmt::format("{}: the GLB is cut off: {} of {} bytes are there", file(), bytes.size(), length));
     std::size_t offset = GLB_HEADER;
     for (std::size_t chunk = 0; length >= offset + CHUNK_HEADER; ++chunk) {
         const std::size_t size = read_u32(bytes, offset);
@@ -57,7 +58,8 @@ void Document::read_container(std::span<const std::byte> bytes) {
             throw Error(fmt::format("{}: GLB chunk {} has {} bytes, {} are left", file(), chunk, size,
                                     length - offset));
         const std::span<const std::byte> content = bytes.subspan(offset, size);
-        if (chunk == 0 && type != CHUNK_JSON) throw Error(fmt::format("{}: the GLB's first chunk is not JSON", file()));
+        if (chunk == 0 && type != CHUNK_JSON)
+            throw Error(fmt::format("{}: the GLB's first chunk is not JSON", file()));
         if (chunk == 0) json_ = parse_json(content, file());
         if (chunk == 1 && type == CHUNK_BIN) bin_ = content;
         offset += std::min((size + 3) / 4 * 4, length - offset); // the padding may be missing at the end
@@ -71,7 +73,8 @@ void Document::read_asset() {
     info_.version = asset->text("version");
     const std::string needed = asset->text("minVersion", info_.version);
     if (!needed.starts_with("2.") || (asset->has("minVersion") && needed != "2.0"))
-        throw Error(fmt::format("{}: is glTF {} (only 2.0 can be read)", file(), needed.empty() ? "?" : needed));
+        throw Error(
+            fmt::format("{}: is glTF {} (only 2.0 can be read)", file(), needed.empty() ? "?" : needed));
     info_.generator = asset->text("generator");
     info_.copyright = asset->text("copyright");
 }
@@ -104,26 +107,28 @@ std::vector<std::byte> Document::resource(const JsonObject& object) {
 
 void Document::warn(std::string_view message) {
     std::string line = fmt::format("{}: {}", file(), message);
-    std::replace_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     if (options_.warn) options_.warn(line);
     info_.warnings.push_back(std::move(line));
 }
 
 void Document::charge(std::uint64_t bytes, const JsonObject& cause) {
     const ImportLimits& limits = options_.limits;
-    const std::uint64_t allowed =
-        std::min(limits.max_decoded_bytes, limits.decoded_slack_bytes + limits.decoded_ratio * info_.bytes_read);
+    const std::uint64_t allowed = std::min(
+        limits.max_decoded_bytes, limits.decoded_slack_bytes + limits.decoded_ratio * info_.bytes_read);
     if (bytes > allowed || decoded_ > allowed - bytes)
         cause.fail("", fmt::format("would make {} MiB out of a file of {} bytes (the limit is {} MiB)",
-                                   (decoded_ + std::min(bytes, UINT64_MAX - decoded_)) >> 20, info_.bytes_read,
-                                   allowed >> 20));
+                                   (decoded_ + std::min(bytes, UINT64_MAX - decoded_)) >> 20,
+                                   info_.bytes_read, allowed >> 20));
     decoded_ += bytes;
 }
 
 void Document::charge_triangles(std::uint64_t count, const JsonObject& cause) {
     triangles_ += count;
     if (triangles_ > options_.limits.max_triangles)
-        cause.fail("", fmt::format("brings the file past {} triangles (the limit)", options_.limits.max_triangles));
+        cause.fail(
+            "", fmt::format("brings the file past {} triangles (the limit)", options_.limits.max_triangles));
 }
 
 } // namespace ajar::gltf

@@ -1,4 +1,5 @@
-// The file being imported: its JSON, its GLB chunk, the files it refers to, its warnings, and what it may still cost.
+// The file being imported: its JSON, its GLB chunk, the files it refers to, its warnings, and what it may
+// still cost.
 #pragma once
 
 #include "import/import.hpp"

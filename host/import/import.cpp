@@ -51,7 +51,8 @@ ImportResult read(Document& document) {
 
 // Names out of a hostile file may hold line breaks; an error is one line.
 std::string one_line(std::string text) {
-    std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     return text;
 }
 
@@ -73,7 +74,8 @@ ImportResult import_bytes(std::span<const std::byte> bytes, const std::string& f
 
 ImportResult import_gltf(const std::filesystem::path& path, const ImportOptions& options) {
     const std::vector<std::byte> bytes = read_file(path, options.limits.max_file_bytes);
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder =
+        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     return import_bytes(bytes, path.string(), folder, options);
 }
 

@@ -1,4 +1,5 @@
-// glTF 2.0 files (.gltf, .glb) and environment maps become a Scene (Khronos, "glTF 2.0 Specification", 2.0.1).
+// glTF 2.0 files (.gltf, .glb) and environment maps become a Scene (Khronos, "glTF 2.0 Specification",
+// 2.0.1).
 #pragma once
 
 #include "base/events.hpp"
@@ -13,10 +14,11 @@
 
 namespace ajar {
 
-// What a file may cost, so that a hostile one ends in an Error and not in gigabytes. The first three are ceilings;
-// below them, what is decoded may also be at most `decoded_slack_bytes` plus `decoded_ratio` times the bytes read.
+// What a file may cost, so that a hostile one ends in an Error and not in gigabytes. The first three are
+// ceilings; below them, what is decoded may also be at most `decoded_slack_bytes` plus `decoded_ratio` times
+// the bytes read.
 struct ImportLimits {
-    std::uint64_t max_file_bytes = std::uint64_t{16} << 30; // of each file
+    std::uint64_t max_file_bytes = std::uint64_t{16} << 30;    // of each file
     std::uint64_t max_decoded_bytes = std::uint64_t{64} << 30; // geometry and images together
     std::uint64_t max_triangles = 500'000'000;
     std::uint64_t decoded_slack_bytes = std::uint64_t{512} << 20;
@@ -63,7 +65,8 @@ struct ImportResult {
 // Throws Error: one line that names the file and the place.
 ImportResult import_gltf(const std::filesystem::path& path, const ImportOptions& options = {});
 
-// The same from memory. `base_folder` is where relative URIs are looked for; empty: a file that has any is refused.
+// The same from memory. `base_folder` is where relative URIs are looked for; empty: a file that has any is
+// refused.
 ImportResult import_gltf_memory(std::span<const std::byte> bytes, const std::filesystem::path& base_folder,
                                 const ImportOptions& options = {});
 

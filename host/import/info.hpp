@@ -13,7 +13,8 @@ namespace ajar {
 // One line per fact; ends with a newline.
 std::string info_text(const ImportResult& result);
 
-// The same facts. Counts under "file" are the file's, those under "scene" the chosen scene's; lengths in metres.
+// The same facts. Counts under "file" are the file's, those under "scene" the chosen scene's; lengths in
+// metres.
 nlohmann::json info_json(const ImportResult& result);
 
 // A glTF extension that the importer knows.

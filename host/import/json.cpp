@@ -34,8 +34,8 @@ std::string_view reason(const json::exception& error) {
     return end == std::string_view::npos ? what : what.substr(end + 2);
 }
 
-// Before parsing, because a byte of brackets becomes a hundred bytes of values. (nlohmann's own hook, a parser callback,
-// takes quadratic time: ten seconds for a hundred thousand nodes.)
+// Before parsing, because a byte of brackets becomes a hundred bytes of values. (nlohmann's own hook, a
+// parser callback, takes quadratic time: ten seconds for a hundred thousand nodes.)
 void check_extent(std::string_view text, const std::string& file) {
     std::size_t values = 0;
     int depth = 0;
@@ -48,8 +48,10 @@ void check_extent(std::string_view text, const std::string& file) {
         if (c == '[' || c == '{') ++depth;
         if (c == ']' || c == '}') --depth;
         if (c == '[' || c == '{' || c == ',') ++values;
-        if (depth > MAX_DEPTH) throw Error(fmt::format("{}: the JSON is nested more than {} deep", file, MAX_DEPTH));
-        if (values > MAX_VALUES) throw Error(fmt::format("{}: the JSON has more than {} values", file, MAX_VALUES));
+        if (depth > MAX_DEPTH)
+            throw Error(fmt::format("{}: the JSON is nested more than {} deep", file, MAX_DEPTH));
+        if (values > MAX_VALUES)
+            throw Error(fmt::format("{}: the JSON has more than {} values", file, MAX_VALUES));
     }
 }
 
@@ -69,7 +71,8 @@ json parse_json(std::span<const std::byte> bytes, const std::string& file) {
 }
 
 JsonObject::JsonObject(const json& value, std::string where) : value_(&value), where_(std::move(where)) {
-    if (!value.is_object()) throw Error(fmt::format("{}: must be an object, is {}", where_, type_name(value)));
+    if (!value.is_object())
+        throw Error(fmt::format("{}: must be an object, is {}", where_, type_name(value)));
 }
 
 std::string JsonObject::path(std::string_view key) const {
@@ -138,7 +141,8 @@ template <int N>
 glm::vec<N, float> JsonObject::vector(std::string_view key, const glm::vec<N, float>& fallback) const {
     if (!has(key)) return fallback;
     const std::vector<float> values = numbers(key);
-    if (values.size() != std::size_t{N}) fail(key, fmt::format("must have {} numbers, has {}", N, values.size()));
+    if (values.size() != std::size_t{N})
+        fail(key, fmt::format("must have {} numbers, has {}", N, values.size()));
     glm::vec<N, float> result;
     for (int i = 0; i < N; ++i) result[i] = values[static_cast<std::size_t>(i)];
     return result;
@@ -152,7 +156,8 @@ std::uint64_t JsonObject::to_integer(const json& value, std::string_view key) co
     if (value.is_number_unsigned()) return value.get<std::uint64_t>();
     if (!value.is_number()) fail(key, fmt::format("must be a whole number, is {}", type_name(value)));
     const double number = value.get<double>();
-    if (!(number >= 0 && number <= 9007199254740992.0 && number == std::floor(number))) // 2^53: exact in a double
+    if (!(number >= 0 && number <= 9007199254740992.0 &&
+          number == std::floor(number))) // 2^53: exact in a double
         fail(key, fmt::format("must be a whole number of at least 0, is {}", number));
     return static_cast<std::uint64_t>(number);
 }
@@ -175,13 +180,15 @@ std::uint32_t JsonObject::to_index(const json& value, std::string_view key, std:
     return static_cast<std::uint32_t>(index);
 }
 
-std::optional<std::uint32_t> JsonObject::index(std::string_view key, std::size_t count, std::string_view what) const {
+std::optional<std::uint32_t> JsonObject::index(std::string_view key, std::size_t count,
+                                               std::string_view what) const {
     const json* value = find(key);
     if (!value) return std::nullopt;
     return to_index(*value, key, count, what);
 }
 
-std::vector<std::uint32_t> JsonObject::indices(std::string_view key, std::size_t count, std::string_view what) const {
+std::vector<std::uint32_t> JsonObject::indices(std::string_view key, std::size_t count,
+                                               std::string_view what) const {
     std::vector<std::uint32_t> result;
     if (const json* array = find_array(key))
         for (const json& value : *array) result.push_back(to_index(value, key, count, what));

@@ -1,4 +1,5 @@
-// JSON read with suspicion: every access checks the type, and a complaint names the place ("scene.gltf: nodes[3].mesh").
+// JSON read with suspicion: every access checks the type, and a complaint names the place ("scene.gltf:
+// nodes[3].mesh").
 #pragma once
 
 #include <cstdint>
@@ -22,14 +23,16 @@ class JsonObject {
     bool has(std::string_view key) const;
     std::vector<std::string> keys() const;
 
-    // A missing key gives `fallback` (or nullopt); a wrong type, a number that is not finite or out of range throws.
+    // A missing key gives `fallback` (or nullopt); a wrong type, a number that is not finite or out of range
+    // throws.
     std::string text(std::string_view key, std::string_view fallback = {}) const;
     bool flag(std::string_view key, bool fallback) const;
     float number(std::string_view key, float fallback) const;
     std::uint64_t integer(std::string_view key, std::uint64_t fallback) const;
-    std::uint64_t integer(std::string_view key) const; // required
+    std::uint64_t integer(std::string_view key) const;      // required
     std::vector<float> numbers(std::string_view key) const; // empty when missing
-    template <int N> glm::vec<N, float> vector(std::string_view key, const glm::vec<N, float>& fallback) const;
+    template <int N>
+    glm::vec<N, float> vector(std::string_view key, const glm::vec<N, float>& fallback) const;
 
     // Indices into an array of `count` elements; `what` names one of them in the complaint ("accessor").
     std::optional<std::uint32_t> index(std::string_view key, std::size_t count, std::string_view what) const;

@@ -19,9 +19,12 @@ void read_metallic_roughness(const JsonObject& object, Textures& textures, Mater
 
 void read_alpha(const JsonObject& object, Material& material) {
     const std::string mode = object.text("alphaMode", "OPAQUE");
-    if (mode == "MASK") material.alpha_mode = AlphaMode::mask;
-    else if (mode == "BLEND") material.alpha_mode = AlphaMode::blend;
-    else if (mode != "OPAQUE") object.fail("alphaMode", fmt::format("'{}' is none of OPAQUE, MASK, BLEND", mode));
+    if (mode == "MASK")
+        material.alpha_mode = AlphaMode::mask;
+    else if (mode == "BLEND")
+        material.alpha_mode = AlphaMode::blend;
+    else if (mode != "OPAQUE")
+        object.fail("alphaMode", fmt::format("'{}' is none of OPAQUE, MASK, BLEND", mode));
     material.alpha_cutoff = object.number("alphaCutoff", 0.5f);
 }
 
@@ -37,7 +40,8 @@ void clamp_factors(Material& material) {
 Material read_material(const JsonObject& object, Textures& textures, Document& document) {
     Material material;
     material.name = object.text("name");
-    if (const auto pbr = object.object("pbrMetallicRoughness")) read_metallic_roughness(*pbr, textures, material);
+    if (const auto pbr = object.object("pbrMetallicRoughness"))
+        read_metallic_roughness(*pbr, textures, material);
     if (const auto info = object.object("normalTexture")) {
         material.normal_scale = info->number("scale", 1);
         material.normal_texture = textures.use(info);

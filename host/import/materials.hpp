@@ -1,4 +1,5 @@
-// Materials: metallic-roughness and the extensions that have a row in extensions/table.cpp (glTF 2.0, section 3.9).
+// Materials: metallic-roughness and the extensions that have a row in extensions/table.cpp (glTF 2.0, section
+// 3.9).
 #pragma once
 
 #include "import/textures.hpp"

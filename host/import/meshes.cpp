@@ -11,8 +11,8 @@ namespace ajar::gltf {
 namespace {
 
 // Appends `values`, which may be missing: then `fill` stands for them as soon as another primitive has some.
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& values, std::size_t before, std::size_t count, const T& fill) {
+template <class T> void append(std::vector<T>& to, const std::vector<T>& values, std::size_t before,
+                               std::size_t count, const T& fill) {
     if (to.empty() && values.empty()) return;
     to.resize(before, fill);
     to.insert(to.end(), values.begin(), values.end());
@@ -60,8 +60,10 @@ std::vector<bool> materials_in_scene(Document& document, const std::vector<bool>
             ++info.primitives;
             const auto material = primitive.index("material", used.size(), "material");
             if (!in_scene) continue;
-            if (has_no_triangles(primitive)) ++points_and_lines;
-            else if (material) used[*material] = true;
+            if (has_no_triangles(primitive))
+                ++points_and_lines;
+            else if (material)
+                used[*material] = true;
         }
     }
     info.skipped_primitives = points_and_lines;
@@ -72,8 +74,8 @@ std::vector<bool> materials_in_scene(Document& document, const std::vector<bool>
 }
 
 Meshes::Meshes(Document& document, Buffers& buffers, Accessors& accessors, const Nodes& nodes, Scene& scene)
-    : document_(document), accessors_(accessors), nodes_(nodes), scene_(scene),
-      reader_{document, buffers, accessors}, meshes_(document.root().objects("meshes")),
+    : document_(document), accessors_(accessors), nodes_(nodes),
+      scene_(scene), reader_{document, buffers, accessors}, meshes_(document.root().objects("meshes")),
       skins_(document.root().objects("skins")), file_materials_(scene.materials.size()) {}
 
 void Meshes::add_instance(std::uint32_t node) {
@@ -83,10 +85,15 @@ void Meshes::add_instance(std::uint32_t node) {
     const auto skin = object.index("skin", skins_.size(), "skin");
     std::vector<float> weights = object.numbers("weights");
     if (weights.empty()) weights = meshes_[*index].numbers("weights");
-    const std::uint32_t mesh = mesh_of({*index, skin.value_or(NO_INDEX), std::move(weights)});
-    if (mesh == NO_INDEX) return;
     // A skin puts its vertices into the world by itself; the node's own transform is ignored.
-    scene_.instances.push_back({nodes_.name(node), mesh, skin ? glm::mat4(1) : nodes_.to_world(node)});
+    const glm::mat4 to_world = skin ? glm::mat4(1) : nodes_.to_world(node);
+    if (!std::isnormal(glm::determinant(glm::mat3(to_world)))) { // rays and normals need the inverse
+        document_.warn(
+            fmt::format("node '{}' is not shown: its scale is zero or out of range", nodes_.name(node)));
+        return;
+    }
+    const std::uint32_t mesh = mesh_of({*index, skin.value_or(NO_INDEX), std::move(weights)});
+    if (mesh != NO_INDEX) scene_.instances.push_back({nodes_.name(node), mesh, to_world});
 }
 
 std::uint32_t Meshes::mesh_of(const Shape& shape) {
@@ -108,12 +115,14 @@ std::uint32_t Meshes::mesh_of(const Shape& shape) {
     return entry->second;
 }
 
-void Meshes::add_primitive(const JsonObject& json, const Shape& shape, std::span<const glm::mat4> joints, Mesh& mesh) {
+void Meshes::add_primitive(const JsonObject& json, const Shape& shape, std::span<const glm::mat4> joints,
+                           Mesh& mesh) {
     Primitive primitive = reader_.read(json, !joints.empty());
     if (primitive.triangles.empty()) return;
     apply_morph_targets(json, std::get<2>(shape), reader_, primitive);
     if (!joints.empty()) {
-        if (primitive.influences.empty()) json.fail("attributes", "has no JOINTS_0 and WEIGHTS_0 for its skin");
+        if (primitive.influences.empty())
+            json.fail("attributes", "has no JOINTS_0 and WEIGHTS_0 for its skin");
         apply_skin(json, joints, primitive);
     }
     if (primitive.normals.empty()) {
@@ -122,11 +131,13 @@ void Meshes::add_primitive(const JsonObject& json, const Shape& shape, std::span
     } else {
         repair_normals(primitive);
     }
-    const std::size_t replaced = replace_non_finite(primitive.uv[0], 0) + replace_non_finite(primitive.uv[1], 0) +
+    const std::size_t replaced = replace_non_finite(primitive.uv[0], 0) +
+                                 replace_non_finite(primitive.uv[1], 0) +
                                  replace_non_finite(primitive.colors, 1);
     if (replaced != 0)
-        document_.warn(fmt::format("mesh '{}': {} texture coordinates or colours are not finite and were replaced",
-                                   mesh.name, replaced));
+        document_.warn(
+            fmt::format("mesh '{}': {} texture coordinates or colours are not finite and were replaced",
+                        mesh.name, replaced));
     const std::uint32_t material = material_of(json);
     const TextureUse& normal_map = scene_.materials[material].normal_texture;
     if (!normal_map.used()) {

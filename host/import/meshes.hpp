@@ -1,4 +1,5 @@
-// Meshes: a glTF mesh becomes one Mesh with the triangles of all its primitives; a skinned or morphed node gets its own.
+// Meshes: a glTF mesh becomes one Mesh with the triangles of all its primitives; a skinned or morphed node
+// gets its own.
 #pragma once
 
 #include "import/deform.hpp"
@@ -28,7 +29,8 @@ class Meshes {
     using Shape = std::tuple<std::uint32_t, std::uint32_t, std::vector<float>>;
 
     std::uint32_t mesh_of(const Shape& shape);
-    void add_primitive(const JsonObject& json, const Shape& shape, std::span<const glm::mat4> joints, Mesh& mesh);
+    void add_primitive(const JsonObject& json, const Shape& shape, std::span<const glm::mat4> joints,
+                       Mesh& mesh);
     std::uint32_t material_of(const JsonObject& primitive);
 
     Document& document_;

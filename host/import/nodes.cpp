@@ -56,7 +56,8 @@ void Nodes::link() {
         children_[i] = objects_[i].indices("children", count(), "node");
         for (const std::uint32_t child : children_[i]) {
             if (parents_[child] != NO_INDEX)
-                objects_[i].fail("children", fmt::format("node {} is also a child of node {}", child, parents_[child]));
+                objects_[i].fail("children",
+                                 fmt::format("node {} is also a child of node {}", child, parents_[child]));
             parents_[child] = i;
         }
     }
@@ -82,7 +83,8 @@ void Nodes::place(Document& document) {
     document.info().nodes = count();
     if (visited == count()) return;
     const auto first = std::find(is_placed.begin(), is_placed.end(), false);
-    objects_[static_cast<std::size_t>(first - is_placed.begin())].fail("children", "the node tree has a cycle here");
+    objects_[static_cast<std::size_t>(first - is_placed.begin())].fail("children",
+                                                                       "the node tree has a cycle here");
 }
 
 std::vector<std::uint32_t> Nodes::choose_scene(Document& document) {
@@ -101,8 +103,8 @@ std::vector<std::uint32_t> Nodes::choose_scene(Document& document) {
                  parsed.ec == std::errc() && parsed.ptr == end && index < scenes.size())
             chosen = index;
         else
-            throw Error(fmt::format("{}: there is no scene '{}' (it has {}: give a name or an index)", document.file(),
-                                    wanted, scenes.size()));
+            throw Error(fmt::format("{}: there is no scene '{}' (it has {}: give a name or an index)",
+                                    document.file(), wanted, scenes.size()));
     } else {
         chosen = document.root().index("scene", scenes.size(), "scene");
         if (!chosen && !scenes.empty()) chosen = 0;

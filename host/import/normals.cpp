@@ -30,7 +30,8 @@ template <class T> void unweld(std::vector<T>& values, const std::vector<glm::uv
 void make_flat_normals(Primitive& primitive) {
     std::vector<glm::vec3> normals;
     normals.reserve(primitive.triangles.size() * 3);
-    for (const glm::uvec3& t : primitive.triangles) normals.insert(normals.end(), 3, unit(face_normal(primitive, t)));
+    for (const glm::uvec3& t : primitive.triangles)
+        normals.insert(normals.end(), 3, unit(face_normal(primitive, t)));
     primitive.normals = std::move(normals);
     unweld(primitive.positions, primitive.triangles);
     unweld(primitive.uv[0], primitive.triangles);

@@ -5,8 +5,8 @@
 
 namespace ajar::gltf {
 
-// For a primitive without normals: every triangle gets three vertices of its own with its face's normal, as glTF 2.0,
-// section 3.7.2.1, asks.
+// For a primitive without normals: every triangle gets three vertices of its own with its face's normal, as
+// glTF 2.0, section 3.7.2.1, asks.
 void make_flat_normals(Primitive& primitive);
 
 // Normalises. A normal of zero or non-finite length becomes the area-weighted mean of the faces around it.

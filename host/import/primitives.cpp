@@ -18,7 +18,8 @@ std::uint64_t read_mode(const JsonObject& primitive) {
     return mode;
 }
 
-// Where a primitive's attributes come from: accessors or a Draco stream, which wins where it has the attribute.
+// Where a primitive's attributes come from: accessors or a Draco stream, which wins where it has the
+// attribute.
 class Attributes {
   public:
     Attributes(const JsonObject& primitive, PrimitiveReader& reader)
@@ -40,7 +41,8 @@ class Attributes {
         return draco_ ? draco_->vertex_count() : accessors_.elements(*position);
     }
 
-    template <class T> std::vector<T> floats(std::string_view name, std::uint64_t count, Selection selection) {
+    template <class T>
+    std::vector<T> floats(std::string_view name, std::uint64_t count, Selection selection) {
         const auto index = accessor(name);
         if (!index) return {};
         if (draco_ && draco_->has(name)) {
@@ -77,7 +79,8 @@ class Attributes {
     void check_count(std::uint32_t index, std::uint64_t count, std::string_view name) const {
         const std::uint64_t elements = accessors_.elements(index);
         if (elements != count)
-            primitive_.fail("attributes", fmt::format("{} has {} elements for {} positions", name, elements, count));
+            primitive_.fail("attributes",
+                            fmt::format("{} has {} elements for {} positions", name, elements, count));
     }
 
   private:
@@ -87,8 +90,8 @@ class Attributes {
     std::unique_ptr<DracoPrimitive> draco_;
 };
 
-std::vector<std::uint32_t> read_corners(const JsonObject& primitive, PrimitiveReader& reader, const Attributes& from,
-                                        std::uint64_t vertex_count) {
+std::vector<std::uint32_t> read_corners(const JsonObject& primitive, PrimitiveReader& reader,
+                                        const Attributes& from, std::uint64_t vertex_count) {
     const auto index = primitive.index("indices", reader.accessors.count(), "accessor");
     std::vector<std::uint32_t> corners;
     if (from.draco()) {
@@ -104,8 +107,8 @@ std::vector<std::uint32_t> read_corners(const JsonObject& primitive, PrimitiveRe
     }
     for (const std::uint32_t corner : corners)
         if (corner >= vertex_count)
-            primitive.fail("indices", fmt::format("vertex index {} is out of range (there are {} vertices)", corner,
-                                                  vertex_count));
+            primitive.fail("indices", fmt::format("vertex index {} is out of range (there are {} vertices)",
+                                                  corner, vertex_count));
     return corners;
 }
 
@@ -137,7 +140,8 @@ std::vector<std::uint32_t> select_used(std::vector<glm::uvec3>& triangles, std::
     used.erase(std::unique(used.begin(), used.end()), used.end());
     for (glm::uvec3& t : triangles)
         for (int k = 0; k < 3; ++k)
-            t[k] = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), t[k]) - used.begin());
+            t[k] =
+                static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), t[k]) - used.begin());
     return used;
 }
 

@@ -1,4 +1,5 @@
-// One primitive: its vertices and triangles, whatever the layout, mode and compression (glTF 2.0, section 3.7.2).
+// One primitive: its vertices and triangles, whatever the layout, mode and compression (glTF 2.0, section
+// 3.7.2).
 #pragma once
 
 #include "import/accessors.hpp"
@@ -22,8 +23,8 @@ struct Primitive {
     std::vector<glm::vec4> colors;
     std::vector<Influences> influences;
     std::vector<glm::uvec3> triangles;
-    std::uint64_t file_vertices = 0;        // what the file's accessors hold,
-    std::vector<std::uint32_t> selection;   // and which of them these are; empty: all
+    std::uint64_t file_vertices = 0;      // what the file's accessors hold,
+    std::vector<std::uint32_t> selection; // and which of them these are; empty: all
 };
 
 // True for points and lines, which a path tracer cannot show.

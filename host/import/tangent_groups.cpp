@@ -49,7 +49,8 @@ void connect(std::vector<TangentTriangle>& triangles) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const Edge& edge = edges[i];
-        if (i == 0 || edge.low != edges[i - 1].low || edge.high != edges[i - 1].high) waiting.clear(), first = 0;
+        if (i == 0 || edge.low != edges[i - 1].low || edge.high != edges[i - 1].high)
+            waiting.clear(), first = 0;
         if (first == waiting.size() || waiting[first]->forward == edge.forward) {
             waiting.push_back(&edge);
             continue;
@@ -62,7 +63,8 @@ void connect(std::vector<TangentTriangle>& triangles) {
 
 namespace {
 
-// Whether the triangle may join the group; one without a direction takes the handedness of the first group it meets.
+// Whether the triangle may join the group; one without a direction takes the handedness of the first group it
+// meets.
 bool joins(TangentTriangle& triangle, const TangentGroup& group) {
     if (triangle.groups[triangle.corner(group.vertex)] != NONE) return false;
     if (triangle.joins_any && triangle.groups == std::array<std::uint32_t, 3>{NONE, NONE, NONE})
@@ -90,9 +92,10 @@ std::vector<TangentGroup> make_groups(std::vector<TangentTriangle>& triangles) {
                 const std::uint32_t corner = triangle.corner(group.vertex);
                 triangle.groups[corner] = index;
                 group.triangles.push_back(member);
-                // Depth first, across the edge that leaves the corner before the one that arrives: the order decides
-                // which group a triangle without direction falls to.
-                for (const std::uint32_t next : {triangle.neighbours[(corner + 2) % 3], triangle.neighbours[corner]})
+                // Depth first, across the edge that leaves the corner before the one that arrives: the order
+                // decides which group a triangle without direction falls to.
+                for (const std::uint32_t next :
+                     {triangle.neighbours[(corner + 2) % 3], triangle.neighbours[corner]})
                     if (next != NONE) open.push_back(next);
             }
             groups.push_back(std::move(group));

@@ -14,15 +14,18 @@ inline constexpr std::uint32_t NONE = 0xffffffffu;
 // A triangle of welded vertices and the directions in which its texture coordinates grow.
 struct TangentTriangle {
     std::array<std::uint32_t, 3> vertices{};
-    glm::vec3 ds{0};              // along increasing s (u), unit unless the triangle is flat in texture space
-    glm::vec3 dt{0};              // along increasing t (v)
-    bool preserves = false;       // the texture is not mirrored
-    bool joins_any = true;        // has no direction of its own, so it goes with any neighbour
-    bool is_degenerate = false;   // two corners at one place: takes part in nothing
-    std::array<std::uint32_t, 3> neighbours{NONE, NONE, NONE}; // across the edge from corner i to corner i + 1
-    std::array<std::uint32_t, 3> groups{NONE, NONE, NONE};     // of each corner
+    glm::vec3 ds{0};            // along increasing s (u), unit unless the triangle is flat in texture space
+    glm::vec3 dt{0};            // along increasing t (v)
+    bool preserves = false;     // the texture is not mirrored
+    bool joins_any = true;      // has no direction of its own, so it goes with any neighbour
+    bool is_degenerate = false; // two corners at one place: takes part in nothing
+    std::array<std::uint32_t, 3> neighbours{NONE, NONE,
+                                            NONE};         // across the edge from corner i to corner i + 1
+    std::array<std::uint32_t, 3> groups{NONE, NONE, NONE}; // of each corner
 
-    std::uint32_t corner(std::uint32_t vertex) const { return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2; }
+    std::uint32_t corner(std::uint32_t vertex) const {
+        return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
+    }
 };
 
 // The triangles around a vertex that are connected by edges and have the same handedness.

@@ -10,7 +10,8 @@ namespace ajar::gltf {
 
 namespace {
 
-// Beyond this, a group is averaged as a whole: comparing all pairs of a fan of a million triangles would take for ever.
+// Beyond this, a group is averaged as a whole: comparing all pairs of a fan of a million triangles would take
+// for ever.
 constexpr std::size_t MAX_COMPARED = 64;
 // How many versions of a vertex are searched for an equal tangent before it is simply split again.
 constexpr int MAX_SEARCHED = 32;
@@ -51,7 +52,8 @@ TangentTriangle derivatives(const std::array<glm::vec3, 3>& p, const std::array<
     return result;
 }
 
-// What a triangle contributes to the frame at a corner: its directions in the tangent plane, weighted by its angle.
+// What a triangle contributes to the frame at a corner: its directions in the tangent plane, weighted by its
+// angle.
 struct Share {
     glm::vec3 ds, dt;
     float angle;
@@ -83,11 +85,13 @@ std::vector<glm::vec3> group_tangents(const std::vector<Share>& shares) {
     bool is_uniform = true;
     if (shares.size() <= MAX_COMPARED)
         for (std::size_t i = 0; i < shares.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) is_uniform = is_uniform && are_compatible(shares[i], shares[j]);
+            for (std::size_t j = 0; j < i; ++j)
+                is_uniform = is_uniform && are_compatible(shares[i], shares[j]);
     if (is_uniform) return std::vector(shares.size(), mean([](std::size_t) { return true; }));
     std::vector<glm::vec3> tangents;
     for (std::size_t i = 0; i < shares.size(); ++i)
-        tangents.push_back(mean([&](std::size_t j) { return i == j || are_compatible(shares[i], shares[j]); }));
+        tangents.push_back(
+            mean([&](std::size_t j) { return i == j || are_compatible(shares[i], shares[j]); }));
     return tangents;
 }
 
@@ -98,10 +102,12 @@ std::vector<glm::vec4> corner_tangents(const Primitive& primitive, std::vector<T
     std::vector<std::uint32_t> first(primitive.positions.size(), NONE); // a good corner of each welded vertex
     for (const TangentGroup& group : make_groups(triangles)) {
         std::vector<Share> shares;
-        for (const std::uint32_t t : group.triangles) shares.push_back(share(triangles[t], group.vertex, primitive));
+        for (const std::uint32_t t : group.triangles)
+            shares.push_back(share(triangles[t], group.vertex, primitive));
         const std::vector<glm::vec3> tangents = group_tangents(shares);
         for (std::size_t i = 0; i < shares.size(); ++i) {
-            const std::uint32_t corner = 3 * group.triangles[i] + triangles[group.triangles[i]].corner(group.vertex);
+            const std::uint32_t corner =
+                3 * group.triangles[i] + triangles[group.triangles[i]].corner(group.vertex);
             // glTF's textures have v downwards and normal maps have Y upwards, which mirrors the frame.
             corners[corner] = glm::vec4(tangents[i], group.preserves ? -1.0f : 1.0f);
             is_set[corner] = true;
@@ -111,12 +117,14 @@ std::vector<glm::vec4> corner_tangents(const Primitive& primitive, std::vector<T
     // Degenerate triangles take what a good one has at the same vertex.
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::uint32_t k = 0; k < 3 && triangles[t].is_degenerate; ++k)
-            if (const std::uint32_t from = first[triangles[t].vertices[k]]; from != NONE) corners[3 * t + k] = corners[from];
+            if (const std::uint32_t from = first[triangles[t].vertices[k]]; from != NONE)
+                corners[3 * t + k] = corners[from];
     for (std::uint32_t c = 0; c < corners.size(); ++c) {
         const glm::vec3 tangent(corners[c]);
         const glm::vec3& n = primitive.normals[triangles[c / 3].vertices[c % 3]];
         // Set, finite, and no rounding error of a direction along the normal, blown up to unit length.
-        if (std::abs(glm::dot(tangent, tangent) - 1) < 1e-3f && std::abs(glm::dot(tangent, n)) < 1e-3f) continue;
+        if (std::abs(glm::dot(tangent, tangent) - 1) < 1e-3f && std::abs(glm::dot(tangent, n)) < 1e-3f)
+            continue;
         corners[c] = glm::vec4(perpendicular(n), is_set[c] ? corners[c].w : 1.0f);
     }
     return corners;
@@ -137,7 +145,8 @@ void assign(const std::vector<glm::vec4>& corners, Primitive& primitive) {
         std::uint32_t& vertex = primitive.triangles[c / 3][static_cast<int>(c % 3)];
         std::uint32_t v = vertex;
         if (primitive.tangents[v].w == 0) primitive.tangents[v] = corners[c];
-        for (int i = 0; i < MAX_SEARCHED && primitive.tangents[v] != corners[c] && next[v] != NONE; ++i) v = next[v];
+        for (int i = 0; i < MAX_SEARCHED && primitive.tangents[v] != corners[c] && next[v] != NONE; ++i)
+            v = next[v];
         if (primitive.tangents[v] != corners[c]) {
             repeat(primitive.positions, vertex);
             repeat(primitive.normals, vertex);
@@ -151,7 +160,8 @@ void assign(const std::vector<glm::vec4>& corners, Primitive& primitive) {
         vertex = v;
     }
     for (std::size_t v = 0; v < count; ++v) // vertices of no triangle
-        if (primitive.tangents[v].w == 0) primitive.tangents[v] = glm::vec4(perpendicular(primitive.normals[v]), 1);
+        if (primitive.tangents[v].w == 0)
+            primitive.tangents[v] = glm::vec4(perpendicular(primitive.normals[v]), 1);
 }
 
 } // namespace
@@ -167,8 +177,9 @@ void make_tangents(const TextureUse& normal_map, Primitive& primitive) {
     std::vector<TangentTriangle> triangles;
     triangles.reserve(primitive.triangles.size());
     for (const glm::uvec3& t : primitive.triangles) {
-        triangles.push_back(derivatives({primitive.positions[t.x], primitive.positions[t.y], primitive.positions[t.z]},
-                                        {uv[t.x], uv[t.y], uv[t.z]}));
+        triangles.push_back(
+            derivatives({primitive.positions[t.x], primitive.positions[t.y], primitive.positions[t.z]},
+                        {uv[t.x], uv[t.y], uv[t.z]}));
         triangles.back().vertices = {welded[t.x], welded[t.y], welded[t.z]};
     }
     connect(triangles);

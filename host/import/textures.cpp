@@ -36,11 +36,12 @@ TextureUse Textures::use(const std::optional<JsonObject>& texture_info) {
     if (!texture_info) return result;
     const auto index = texture_info->index("index", textures_.size(), "texture");
     if (!index) texture_info->fail("index", "is missing");
-    result.uv_set = static_cast<std::uint32_t>(std::min<std::uint64_t>(texture_info->integer("texCoord", 0), 1000));
+    result.uv_set =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(texture_info->integer("texCoord", 0), 1000));
     read_texture_transform(*texture_info, result);
     if (result.uv_set > 1) {
-        document_.warn(fmt::format("a texture is ignored: it uses TEXCOORD_{}, and only sets 0 and 1 are read",
-                                   result.uv_set));
+        document_.warn(fmt::format(
+            "a texture is ignored: it uses TEXCOORD_{}, and only sets 0 and 1 are read", result.uv_set));
         return {};
     }
     result.texture = texture(*index);
@@ -62,7 +63,8 @@ std::uint32_t Textures::texture(std::uint32_t index) {
         result = static_cast<std::uint32_t>(scene_.textures.size());
         scene_.textures.push_back(std::move(texture));
     } else {
-        document_.warn(fmt::format("texture {} is ignored: it has no image that this program can read", index));
+        document_.warn(
+            fmt::format("texture {} is ignored: it has no image that this program can read", index));
     }
     scene_textures_.emplace(index, result);
     return result;
@@ -86,7 +88,8 @@ std::uint32_t Textures::image(std::uint32_t index) {
     if (!view && !object.has("uri")) object.fail("", "has neither a uri nor a bufferView");
     std::vector<std::byte> file;
     if (!view) file = document_.resource(object);
-    const std::span<const std::byte> bytes = view ? buffers_.view(*view).bytes : std::span<const std::byte>(file);
+    const std::span<const std::byte> bytes =
+        view ? buffers_.view(*view).bytes : std::span<const std::byte>(file);
     const std::string name = object.text("name", object.text("uri").substr(0, 80));
     DecodedImage decoded;
     try {

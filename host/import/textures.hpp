@@ -12,7 +12,8 @@ class Textures {
   public:
     Textures(Document& document, Buffers& buffers, Scene& scene);
 
-    // The use that a textureInfo describes; unused where `texture_info` is missing or its texture has no image.
+    // The use that a textureInfo describes; unused where `texture_info` is missing or its texture has no
+    // image.
     TextureUse use(const std::optional<JsonObject>& texture_info);
 
   private:

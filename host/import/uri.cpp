@@ -57,9 +57,8 @@ bool starts_with_scheme(std::string_view uri) {
     const std::size_t colon = uri.find(':');
     if (colon == std::string_view::npos || colon == 0 || !std::isalpha(static_cast<unsigned char>(uri[0])))
         return false;
-    return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), [](unsigned char c) {
-        return std::isalnum(c) || c == '+' || c == '-' || c == '.';
-    });
+    return std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon),
+                       [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; });
 }
 
 } // namespace
@@ -98,16 +97,20 @@ std::string percent_decode(std::string_view text) {
 std::filesystem::path resolve_uri(const std::filesystem::path& folder, std::string_view uri) {
     if (uri.empty()) throw Error("is empty");
     if (starts_with_scheme(uri))
-        throw Error(fmt::format("'{}' is not a relative path (download the file and refer to it by name)", uri));
+        throw Error(
+            fmt::format("'{}' is not a relative path (download the file and refer to it by name)", uri));
     const std::string decoded = percent_decode(uri);
     if (decoded.front() == '/' || decoded.front() == '\\')
-        throw Error(fmt::format("'{}' is an absolute path (refer to the file relative to the glTF file)", uri));
+        throw Error(
+            fmt::format("'{}' is an absolute path (refer to the file relative to the glTF file)", uri));
     if (decoded.find('\0') != std::string::npos) throw Error("holds a zero byte");
-    if (folder.empty()) throw Error(fmt::format("refers to the file '{}', and there is no folder to look in", uri));
+    if (folder.empty())
+        throw Error(fmt::format("refers to the file '{}', and there is no folder to look in", uri));
     const std::filesystem::path path = folder / decoded;
     std::error_code code;
     // A name may hold a literal percent sign that its exporter did not escape.
-    if (!std::filesystem::exists(path, code) && std::filesystem::exists(folder / uri, code)) return folder / uri;
+    if (!std::filesystem::exists(path, code) && std::filesystem::exists(folder / uri, code))
+        return folder / uri;
     return path;
 }
 

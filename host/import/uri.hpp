@@ -1,4 +1,5 @@
-// URIs as glTF uses them: base64 or percent-encoded data URIs and relative paths (RFC 2397, RFC 3986, RFC 4648).
+// URIs as glTF uses them: base64 or percent-encoded data URIs and relative paths (RFC 2397, RFC 3986, RFC
+// 4648).
 #pragma once
 
 #include <cstddef>

@@ -48,7 +48,7 @@ struct Material {
     std::string name;
     glm::vec4 base_color{1, 1, 1, 1}; // times the texture (sRGB) and the vertex colour
     TextureUse base_color_texture;
-    float metallic = 1; // times the texture's B
+    float metallic = 1;  // times the texture's B
     float roughness = 1; // perceptual; times the texture's G. alpha = roughness^2
     TextureUse metallic_roughness_texture;
     float normal_scale = 1;
@@ -66,8 +66,8 @@ struct Material {
     bool unlit = false;
 };
 
-// One glTF mesh: the triangles of all its primitives. `positions` and `normals` have the same length; the other
-// attributes are empty or of that length too.
+// One glTF mesh: the triangles of all its primitives. `positions` and `normals` have the same length; the
+// other attributes are empty or of that length too.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
@@ -80,9 +80,10 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_materials; // Scene::materials, one per triangle
 };
 
-// A mesh placed in the world. Its index in Scene::instances is the object id of the AOVs. The front of a triangle is
-// where its corners run counter-clockwise, in the mesh's space: a transform of negative determinant, which mirrors,
-// turns them clockwise in the world and the front stays the front (glTF 2.0, section 3.7.4).
+// A mesh placed in the world. Its index in Scene::instances is the object id of the AOVs. The front of a
+// triangle is where its corners run counter-clockwise, in the mesh's space: a transform of negative
+// determinant, which mirrors, turns them clockwise in the world and the front stays the front (glTF 2.0,
+// section 3.7.4).
 struct Instance {
     std::string name; // the node's
     std::uint32_t mesh = 0;
@@ -95,11 +96,12 @@ enum class LightKind : std::uint8_t { point, spot, directional };
 struct Light {
     std::string name;
     LightKind kind = LightKind::point;
-    glm::vec3 intensity{1, 1, 1}; // colour * intensity: W/sr (point, spot) or W/m^2 at normal incidence (directional)
+    glm::vec3 intensity{
+        1, 1, 1}; // colour * intensity: W/sr (point, spot) or W/m^2 at normal incidence (directional)
     glm::vec3 position{0, 0, 0};
     glm::vec3 direction{0, 0, -1}; // unit, along which the light travels
-    float range = 0;               // metres; 0: unlimited. Beyond it the light is cut off as the extension says
-    float inner_cone_angle = 0;    // radians from the axis
+    float range = 0;            // metres; 0: unlimited. Beyond it the light is cut off as the extension says
+    float inner_cone_angle = 0; // radians from the axis
     float outer_cone_angle = 0.785398163f;
 };
 
@@ -109,13 +111,14 @@ enum class CameraKind : std::uint8_t { perspective, orthographic };
 struct Camera {
     std::string name;
     CameraKind kind = CameraKind::perspective;
-    float yfov = 0.8f; // radians, whole vertical angle
-    float ymag = 1;    // half the vertical extent of an orthographic view, metres
+    float yfov = 0.8f;     // radians, whole vertical angle
+    float ymag = 1;        // half the vertical extent of an orthographic view, metres
     glm::mat4 to_world{1}; // rigid: scale removed
 };
 
-// Radiance from all around: an equirectangular map (u = atan2(z, x) / 2 pi + 1/2, v = 0 at +Y, row 0 at v = 0) times
-// `scale`, or the constant `scale` where `radiance` is empty. `rotation` turns the map about +Y, in radians.
+// Radiance from all around: an equirectangular map (u = atan2(z, x) / 2 pi + 1/2, v = 0 at +Y, row 0 at v =
+// 0) times `scale`, or the constant `scale` where `radiance` is empty. `rotation` turns the map about +Y, in
+// radians.
 struct Environment {
     std::string name;
     std::uint32_t width = 0;
@@ -154,8 +157,8 @@ bool has_light(const Scene& scene);
 // Bytes of host memory that the scene's arrays take.
 std::uint64_t memory_bytes(const Scene& scene);
 
-// Checks what every consumer relies on: indices in range, attribute lengths, finite numbers. Throws Error naming the
-// part ("mesh 3 'wheel': triangle 7: ...").
+// Checks what every consumer relies on: indices in range, attribute lengths, finite numbers. Throws Error
+// naming the part ("mesh 3 'wheel': triangle 7: ...").
 void validate(const Scene& scene);
 
 // A perspective camera (yfov 40 degrees) that sees the whole scene for any aspect of at least `aspect`.

@@ -10,7 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.limits.decoded_slack_bytes = std::uint64_t{4} << 20; // to stay fast
     try {
         ajar::import_gltf_memory(std::as_bytes(std::span(data, size)), {}, options);
-    } catch (const ajar::Error&) {
-    }
+    } catch (const ajar::Error&) {}
     return 0;
 }

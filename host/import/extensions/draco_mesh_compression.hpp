@@ -17,8 +17,8 @@ class DracoPrimitive {
     std::vector<std::uint32_t> indices() const; // three per triangle
     bool has(std::string_view attribute) const;
 
-    // All vertices, out.size() / vertex_count() components each. Integers are divided by their type's maximum where
-    // `normalized`, as the accessor that stands for the attribute says.
+    // All vertices, out.size() / vertex_count() components each. Integers are divided by their type's maximum
+    // where `normalized`, as the accessor that stands for the attribute says.
     void read(std::string_view attribute, bool normalized, std::span<float> out) const;
 
   private:

@@ -1,4 +1,5 @@
-// KHR_materials_ior: the dielectric's index of refraction. 0 means a Fresnel term of 1, as the extension says.
+// KHR_materials_ior: the dielectric's index of refraction. 0 means a Fresnel term of 1, as the extension
+// says.
 #include "import/extensions/materials.hpp"
 
 namespace ajar::gltf {

@@ -24,11 +24,15 @@ Light read_light(const JsonObject& object) {
     Light light;
     light.name = object.text("name");
     const std::string type = object.text("type");
-    if (type == "directional") light.kind = LightKind::directional;
-    else if (type == "spot") light.kind = LightKind::spot;
-    else if (type != "point") object.fail("type", fmt::format("'{}' is none of point, spot, directional", type));
+    if (type == "directional")
+        light.kind = LightKind::directional;
+    else if (type == "spot")
+        light.kind = LightKind::spot;
+    else if (type != "point")
+        object.fail("type", fmt::format("'{}' is none of point, spot, directional", type));
     const float intensity = object.number("intensity", 1);
-    light.intensity = glm::max(object.vector<3>("color", glm::vec3(1)), glm::vec3(0)) * std::max(intensity, 0.0f);
+    light.intensity =
+        glm::max(object.vector<3>("color", glm::vec3(1)), glm::vec3(0)) * std::max(intensity, 0.0f);
     light.range = object.number("range", 0);
     if (light.range < 0) object.fail("range", "must not be negative");
     if (light.kind == LightKind::spot) read_spot(object, light);
@@ -39,7 +43,8 @@ Light read_light(const JsonObject& object) {
 
 void add_punctual_lights(Document& document, const Nodes& nodes, Scene& scene) {
     const auto extension = document.root().extension(NAME);
-    const std::vector<JsonObject> lights = extension ? extension->objects("lights") : std::vector<JsonObject>{};
+    const std::vector<JsonObject> lights =
+        extension ? extension->objects("lights") : std::vector<JsonObject>{};
     document.info().lights = lights.size();
     for (const std::uint32_t node : nodes.in_scene()) {
         const auto use = nodes.object(node).extension(NAME);

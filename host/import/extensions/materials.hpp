@@ -1,4 +1,5 @@
-// The readers of the material extensions, one file each. Each is called for a material that has the extension.
+// The readers of the material extensions, one file each. Each is called for a material that has the
+// extension.
 #pragma once
 
 #include "import/materials.hpp"

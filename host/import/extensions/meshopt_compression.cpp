@@ -15,7 +15,8 @@ struct StreamKind {
 };
 constexpr StreamKind KINDS[] = {{"ATTRIBUTES", 0xa0, 0}, {"TRIANGLES", 0xe0, 1}, {"INDICES", 0xd0, 1}};
 
-void check_stream(const JsonObject& extension, const MeshoptHeader& header, std::span<const std::byte> stream) {
+void check_stream(const JsonObject& extension, const MeshoptHeader& header,
+                  std::span<const std::byte> stream) {
     if (stream.empty()) extension.fail("", "the compressed data is empty");
     const auto first = std::to_integer<unsigned char>(stream[0]);
     for (const StreamKind& kind : KINDS) {
@@ -23,8 +24,10 @@ void check_stream(const JsonObject& extension, const MeshoptHeader& header, std:
         if ((first & 0xf0) != kind.kind)
             extension.fail("", fmt::format("the data is not a meshopt stream of mode {}", header.mode));
         if ((first & 0x0f) > kind.newest_version)
-            extension.fail("", fmt::format("the data is a meshopt stream of version {}, newer than this program reads "
-                                           "(compress it with EXT_meshopt_compression)", first & 0x0f));
+            extension.fail(
+                "", fmt::format("the data is a meshopt stream of version {}, newer than this program reads "
+                                "(compress it with EXT_meshopt_compression)",
+                                first & 0x0f));
     }
     // The densest stream spends a byte on 16 x 4 zeros, so this refuses a bomb before memory is taken.
     if (header.count * header.stride / 1024 > stream.size())
@@ -34,8 +37,9 @@ void check_stream(const JsonObject& extension, const MeshoptHeader& header, std:
 
 void apply_filter(const JsonObject& extension, const MeshoptHeader& header, std::vector<std::byte>& bytes) {
     const auto wants_stride = [&](bool fits) {
-        if (!fits) extension.fail("byteStride", fmt::format("{} does not fit the filter {}", header.stride,
-                                                            header.filter));
+        if (!fits)
+            extension.fail("byteStride",
+                           fmt::format("{} does not fit the filter {}", header.stride, header.filter));
     };
     if (header.filter == "OCTAHEDRAL") {
         wants_stride(header.stride == 4 || header.stride == 8);
@@ -68,7 +72,8 @@ MeshoptHeader read_meshopt_header(const JsonObject& extension) {
     const bool is_index = header.mode == "TRIANGLES" || header.mode == "INDICES";
     if (header.mode == "ATTRIBUTES") {
         if (header.stride == 0 || header.stride > 256 || header.stride % 4 != 0)
-            extension.fail("byteStride", fmt::format("must be a multiple of 4 from 4 to 256, is {}", header.stride));
+            extension.fail("byteStride",
+                           fmt::format("must be a multiple of 4 from 4 to 256, is {}", header.stride));
     } else if (!is_index) {
         extension.fail("mode", fmt::format("'{}' is none of ATTRIBUTES, TRIANGLES, INDICES", header.mode));
     } else if (header.stride != 2 && header.stride != 4) {

@@ -22,8 +22,8 @@ constexpr Extension TABLE[] = {
     {"KHR_materials_pbrSpecularGlossiness", approximated,
      "diffuse colour as base colour, roughness = 1 - glossiness factor; the specular colour is ignored",
      read_specular_glossiness},
-    {"KHR_materials_specular", supported, "strength and tint of dielectric reflection (factors, not textures)",
-     read_specular},
+    {"KHR_materials_specular", supported,
+     "strength and tint of dielectric reflection (factors, not textures)", read_specular},
     {"KHR_materials_unlit", supported, "base colour without lighting", read_unlit},
     {"KHR_mesh_quantization", supported, "vertex attributes of 8 and 16 bits"},
     {"KHR_meshopt_compression", supported, "compressed buffer views, streams of version 0"},
@@ -41,7 +41,8 @@ std::string join(const std::vector<std::string>& names) {
 std::span<const Extension> extension_table() { return TABLE; }
 
 ExtensionSupport extension_support(std::string_view name) {
-    const auto row = std::find_if(std::begin(TABLE), std::end(TABLE), [&](const Extension& e) { return e.name == name; });
+    const auto row =
+        std::find_if(std::begin(TABLE), std::end(TABLE), [&](const Extension& e) { return e.name == name; });
     return row == std::end(TABLE) ? ignored : row->support;
 }
 

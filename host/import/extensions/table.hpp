@@ -1,4 +1,5 @@
-// Every glTF extension the importer knows: what `ajar info` prints and what extensionsRequired is checked against.
+// Every glTF extension the importer knows: what `ajar info` prints and what extensionsRequired is checked
+// against.
 #pragma once
 
 #include "import/import.hpp"
@@ -19,8 +20,8 @@ std::span<const Extension> extension_table();
 // How an extension is treated; one without a row is ignored.
 ExtensionSupport extension_support(std::string_view name);
 
-// Fills info().extensions from extensionsUsed and extensionsRequired. Throws Error for a required one that is not
-// supported, warns about the others.
+// Fills info().extensions from extensionsUsed and extensionsRequired. Throws Error for a required one that is
+// not supported, warns about the others.
 void check_extensions(Document& document);
 
 } // namespace ajar::gltf

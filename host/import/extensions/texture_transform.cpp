@@ -11,7 +11,8 @@ void read_texture_transform(const JsonObject& texture_info, TextureUse& use) {
     const glm::vec2 scale = extension->vector<2>("scale", glm::vec2(1));
     const float angle = extension->number("rotation", 0);
     use.uv_set = static_cast<std::uint32_t>(extension->integer("texCoord", use.uv_set));
-    // Translation * rotation * scale. The rotation is counter-clockwise as seen on a texture whose v grows downwards.
+    // Translation * rotation * scale. The rotation is counter-clockwise as seen on a texture whose v grows
+    // downwards.
     const float c = std::cos(angle);
     const float s = std::sin(angle);
     use.uv_row_u = {c * scale.x, s * scale.y, offset.x};

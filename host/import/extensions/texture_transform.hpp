@@ -6,7 +6,8 @@
 
 namespace ajar::gltf {
 
-// Sets the rows of `use`, and its uv_set where the extension overrides it. `texture_info` may lack the extension.
+// Sets the rows of `use`, and its uv_set where the extension overrides it. `texture_info` may lack the
+// extension.
 void read_texture_transform(const JsonObject& texture_info, TextureUse& use);
 
 } // namespace ajar::gltf

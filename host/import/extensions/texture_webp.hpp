@@ -1,4 +1,5 @@
-// EXT_texture_webp: a texture whose image is WebP, perhaps beside a PNG or JPEG for programs that cannot read it.
+// EXT_texture_webp: a texture whose image is WebP, perhaps beside a PNG or JPEG for programs that cannot read
+// it.
 #pragma once
 
 #include "import/json.hpp"

@@ -1,4 +1,5 @@
-// Accessors: what the specification says a stored number means, seen through positions, colours and texture coordinates.
+// Accessors: what the specification says a stored number means, seen through positions, colours and texture
+// coordinates.
 #include "unit/import/gltf_builder.hpp"
 
 #include <cmath>
@@ -17,7 +18,8 @@ GltfBuilder with_colors(GltfBuilder b, unsigned accessor) {
 template <class T> float first_red(Component component, bool normalized, T value) {
     GltfBuilder b = triangle();
     const unsigned view = b.view(std::vector<T>(12, value));
-    return import(with_colors(b, b.accessor(view, component, 3, "VEC4", normalized))).scene.meshes[0].colors[0].r;
+    const unsigned colors = b.accessor(view, component, 3, "VEC4", normalized);
+    return import(with_colors(b, colors)).scene.meshes[0].colors[0].r;
 }
 
 TEST(GltfAccessor, NormalisesEveryIntegerType) { // glTF 2.0, section 3.6.2.2
@@ -50,7 +52,8 @@ TEST(GltfAccessor, ReadsInterleavedAttributes) {
     };
     const unsigned view = b.view(std::vector<Vertex>{{{0, 0, 0}, {0, 0, 1}, {0.1f, 0.2f}},
                                                      {{1, 0, 0}, {0, 0, 1}, {0.3f, 0.4f}},
-                                                     {{0, 1, 0}, {0, 0, 1}, {0.5f, 0.6f}}}, sizeof(Vertex));
+                                                     {{0, 1, 0}, {0, 0, 1}, {0.5f, 0.6f}}},
+                                 sizeof(Vertex));
     const unsigned position = b.accessor(view, F32, 3, "VEC3");
     const unsigned normal = b.accessor(view, F32, 3, "VEC3", false, 12);
     const unsigned uv = b.accessor(view, F32, 3, "VEC2", false, 24);
@@ -71,7 +74,8 @@ TEST(GltfAccessor, ReadsQuantisedPositionsWithPadding) { // KHR_mesh_quantizatio
     EXPECT_EQ(mesh.positions[2], glm::vec3(0, 1, 0));
 }
 
-nlohmann::json sparse(GltfBuilder& b, const std::vector<std::uint16_t>& indices, const std::vector<glm::vec3>& values) {
+nlohmann::json sparse(GltfBuilder& b, const std::vector<std::uint16_t>& indices,
+                      const std::vector<glm::vec3>& values) {
     const unsigned index_view = b.view(indices);
     const unsigned value_view = b.view(values);
     return {{"count", indices.size()},
@@ -99,7 +103,8 @@ TEST(GltfAccessor, SubstitutesInZerosWithoutABufferView) {
 TEST(GltfAccessor, RejectsSparseIndicesOutOfRange) {
     GltfBuilder b = triangle();
     b.json["accessors"][0]["sparse"] = sparse(b, {3}, {{5, 0, 0}});
-    EXPECT_NE(import_error(b).find("sparse.indices: index 3 is out of range"), std::string::npos) << import_error(b);
+    EXPECT_NE(import_error(b).find("sparse.indices: index 3 is out of range"), std::string::npos)
+        << import_error(b);
     b.json["accessors"][0]["sparse"]["count"] = 4;
     EXPECT_NE(import_error(b).find("sparse.count"), std::string::npos);
 }
@@ -127,7 +132,10 @@ TEST(GltfAccessor, RejectsElementsThatDoNotFitTheirStride) {
 
 TEST(GltfAccessor, RejectsUnknownTypesAndWrongOnes) {
     for (const auto& [key, value] : {std::pair<const char*, nlohmann::json>{"componentType", 5124},
-                                     {"componentType", 1}, {"type", "VEC9"}, {"type", "VEC2"}, {"type", 3}}) {
+                                     {"componentType", 1},
+                                     {"type", "VEC9"},
+                                     {"type", "VEC2"},
+                                     {"type", 3}}) {
         GltfBuilder b = triangle();
         b.json["accessors"][0][key] = value;
         EXPECT_NE(import_error(b).find("accessors[0]"), std::string::npos) << key << value;

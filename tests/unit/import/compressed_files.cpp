@@ -7,15 +7,16 @@
 
 namespace ajar::test {
 
-unsigned compressed_view(GltfBuilder& b, const std::vector<unsigned char>& bytes, std::size_t count, std::size_t stride,
-                         const char* mode, const char* filter, const char* name) {
+unsigned compressed_view(GltfBuilder& b, const std::vector<unsigned char>& bytes, std::size_t count,
+                         std::size_t stride, const char* mode, const char* filter, const char* name) {
     const unsigned raw = b.view(bytes);
     nlohmann::json extension = b.json["bufferViews"][raw];
     extension["count"] = count;
     extension["byteStride"] = stride;
     extension["mode"] = mode;
     extension["filter"] = filter;
-    b.json["bufferViews"][raw] = {{"buffer", 1}, {"byteLength", count * stride}, {"extensions", {{name, extension}}}};
+    b.json["bufferViews"][raw] = {
+        {"buffer", 1}, {"byteLength", count * stride}, {"extensions", {{name, extension}}}};
     // The fallback buffer has no bytes anywhere, as gltfpack writes it.
     b.json["buffers"] = {{{"byteLength", b.bin.size()}}, {{"byteLength", count * stride}}};
     return raw;
@@ -30,7 +31,8 @@ std::vector<char> draco_square() {
     for (unsigned f = 0; f < 2; ++f) {
         const draco::FaceIndex face(f);
         builder.SetAttributeValuesForFace(position, face, &SQUARE[SQUARE_INDICES[3 * f]].x,
-                                          &SQUARE[SQUARE_INDICES[3 * f + 1]].x, &SQUARE[SQUARE_INDICES[3 * f + 2]].x);
+                                          &SQUARE[SQUARE_INDICES[3 * f + 1]].x,
+                                          &SQUARE[SQUARE_INDICES[3 * f + 2]].x);
         builder.SetAttributeValuesForFace(normal, face, &up.x, &up.x, &up.x);
     }
     const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
@@ -46,9 +48,11 @@ GltfBuilder draco_file(const std::vector<char>& stream) {
     const unsigned position = b.push("accessors", {{"componentType", F32}, {"count", 4}, {"type", "VEC3"}});
     const unsigned normal = b.push("accessors", {{"componentType", F32}, {"count", 4}, {"type", "VEC3"}});
     const unsigned index = b.push("accessors", {{"componentType", U16}, {"count", 6}, {"type", "SCALAR"}});
-    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", index},
-            {"extensions", {{"KHR_draco_mesh_compression",
-                             {{"bufferView", view}, {"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}}}}}});
+    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
+            {"indices", index},
+            {"extensions",
+             {{"KHR_draco_mesh_compression",
+               {{"bufferView", view}, {"attributes", {{"POSITION", 0}, {"NORMAL", 1}}}}}}}});
     b.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     return b;
 }

@@ -12,7 +12,8 @@ GltfBuilder square_with_indices(const std::vector<unsigned char>& bytes, const c
     const unsigned position = b.add(SQUARE);
     const unsigned normal = b.add(std::vector<glm::vec3>(4, {0, 0, 1}));
     const unsigned view = compressed_view(b, bytes, 6, 2, mode);
-    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", b.accessor(view, U16, 6, "SCALAR")}});
+    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
+            {"indices", b.accessor(view, U16, 6, "SCALAR")}});
     return b;
 }
 
@@ -36,7 +37,8 @@ TEST(Meshopt, DecodesTriangles) {
     ASSERT_EQ(mesh.triangles.size(), 2u);
     glm::vec3 area(0); // the codec may turn a triangle, which does not change this
     for (const glm::uvec3& t : mesh.triangles)
-        area += 0.5f * glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+        area += 0.5f * glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
+                                  mesh.positions[t.z] - mesh.positions[t.x]);
     EXPECT_EQ(area, glm::vec3(0, 0, 1));
 }
 
@@ -88,13 +90,23 @@ TEST(Meshopt, RejectsDamagedStreamsAndImpossibleSizes) {
     const unsigned view = compressed_view(b, encode_vertices(SQUARE), 4, 12, "ATTRIBUTES");
     b.show({{"attributes", {{"POSITION", b.accessor(view, F32, 4, "VEC3")}}}});
     const nlohmann::json good = b.json;
-    for (const auto& [key, value] : {std::pair<const char*, nlohmann::json>{"byteStride", 13}, {"byteStride", 0},
-                                     {"byteStride", 260}, {"count", 1u << 30}, {"count", std::uint64_t{1} << 60},
-                                     {"mode", "TRIANGLES"}, {"mode", "INDICES"}, {"mode", "LINES"}, {"filter", "COLOR"},
-                                     {"filter", "QUATERNION"}, {"byteLength", 5}, {"byteLength", 0}, {"buffer", 2}}) {
+    for (const auto& [key, value] : {std::pair<const char*, nlohmann::json>{"byteStride", 13},
+                                     {"byteStride", 0},
+                                     {"byteStride", 260},
+                                     {"count", 1u << 30},
+                                     {"count", std::uint64_t{1} << 60},
+                                     {"mode", "TRIANGLES"},
+                                     {"mode", "INDICES"},
+                                     {"mode", "LINES"},
+                                     {"filter", "COLOR"},
+                                     {"filter", "QUATERNION"},
+                                     {"byteLength", 5},
+                                     {"byteLength", 0},
+                                     {"buffer", 2}}) {
         b.json = good;
         b.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"][key] = value;
-        EXPECT_NE(import_error(b).find("bufferViews[0]"), std::string::npos) << key << value << import_error(b);
+        EXPECT_NE(import_error(b).find("bufferViews[0]"), std::string::npos)
+            << key << value << import_error(b);
     }
     b.json = good;
     EXPECT_EQ(import_error(b), "");
@@ -106,7 +118,8 @@ TEST(Draco, DecodesAPrimitive) {
     ASSERT_EQ(mesh.triangles.size(), 2u);
     glm::vec3 area(0);
     for (const glm::uvec3& t : mesh.triangles)
-        area += 0.5f * glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+        area += 0.5f * glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
+                                  mesh.positions[t.z] - mesh.positions[t.x]);
     EXPECT_NEAR(glm::length(area - glm::vec3(0, 0, 1)), 0, 1e-5f);
     EXPECT_NEAR(glm::length(mesh.normals[0] - glm::vec3(0, 0, 1)), 0, 0.01f); // quantised
 }
@@ -114,7 +127,9 @@ TEST(Draco, DecodesAPrimitive) {
 TEST(Draco, RejectsDamagedDataAndMissingAttributes) {
     const std::vector<char> stream = draco_square();
     for (std::size_t size = 0; size < stream.size(); ++size)
-        EXPECT_NE(import_error(draco_file({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(size)})), "");
+        EXPECT_NE(
+            import_error(draco_file({stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(size)})),
+            "");
     GltfBuilder b = draco_file(stream);
     auto& extension = b.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
     extension["attributes"]["NORMAL"] = 9;

@@ -78,7 +78,8 @@ TEST(GltfFile, RejectsOtherVersionsAndOtherFiles) {
     EXPECT_NE(import_error(old).find("version 1"), std::string::npos);
     EXPECT_NE(text_error("{}").find("asset"), std::string::npos);
     EXPECT_NE(text_error(R"({"asset": {"version": "1.0"}})").find("glTF 1.0"), std::string::npos);
-    EXPECT_NE(text_error(R"({"asset": {"version": "2.1", "minVersion": "2.1"}})").find("2.1"), std::string::npos);
+    EXPECT_NE(text_error(R"({"asset": {"version": "2.1", "minVersion": "2.1"}})").find("2.1"),
+              std::string::npos);
     EXPECT_NE(text_error("not JSON").find("not valid JSON"), std::string::npos);
     EXPECT_NE(text_error("[]").find("must be an object"), std::string::npos);
     EXPECT_EQ(text_error(R"({"asset": {"version": "2.3"}})"), "");
@@ -100,17 +101,20 @@ TEST(GltfFile, AnErrorIsOneLineWhateverTheNames) {
 TEST(GltfFile, NamesThePlaceAndTheTypeOfAWrongValue) {
     GltfBuilder b = triangle();
     b.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = "zero";
-    EXPECT_NE(import_error(b).find("meshes[0].primitives[0].attributes.POSITION: must be a whole number, is a string"),
+    EXPECT_NE(import_error(b).find(
+                  "meshes[0].primitives[0].attributes.POSITION: must be a whole number, is a string"),
               std::string::npos);
     b.json["meshes"][0]["primitives"] = nlohmann::json::object();
-    EXPECT_NE(import_error(b).find("meshes[0].primitives: must be an array, is an object"), std::string::npos);
+    EXPECT_NE(import_error(b).find("meshes[0].primitives: must be an array, is an object"),
+              std::string::npos);
 }
 
 TEST(GltfFile, RejectsRangesOutsideTheBuffer) {
     GltfBuilder b = triangle();
     b.json["bufferViews"][0]["byteLength"] = 37;
     EXPECT_NE(import_error(b).find("bufferViews[0]"), std::string::npos);
-    b.json["bufferViews"][0] = {{"buffer", 0}, {"byteOffset", 9007199254740992}, {"byteLength", 9007199254740992}};
+    b.json["bufferViews"][0] = {
+        {"buffer", 0}, {"byteOffset", 9007199254740992}, {"byteLength", 9007199254740992}};
     EXPECT_NE(import_error(b).find("bufferViews[0]"), std::string::npos);
     b = triangle();
     b.json["buffers"] = {{{"byteLength", 40}}};

@@ -20,7 +20,8 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     if (!fs::exists(folder)) return files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb") files.push_back(entry.path());
+        if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
+            files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -54,7 +55,8 @@ TEST(Corpus, TrianglesAreAllThere) {
     std::size_t expected = 0;
     for (const auto& mesh : json["meshes"])
         for (const auto& primitive : mesh["primitives"])
-            expected += json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
+            expected +=
+                json["accessors"][primitive["indices"].get<std::size_t>()]["count"].get<std::size_t>() / 3;
     std::size_t triangles = 0;
     for (const Mesh& mesh : import_gltf(file).scene.meshes) triangles += mesh.triangles.size();
     EXPECT_EQ(triangles, expected);
@@ -65,7 +67,8 @@ TEST(Corpus, EveryBrokenFileGivesOneLine) {
     if (files.empty()) GTEST_SKIP() << "no corpus beside the project";
     for (const fs::path& file : files) {
         // Its buffer is missing only where the neighbour that has the same name is.
-        if (file.filename() == "MissingBin.gltf" && fs::exists(CORPUS / "hostile" / "BoxTextured0.bin")) continue;
+        if (file.filename() == "MissingBin.gltf" && fs::exists(CORPUS / "hostile" / "BoxTextured0.bin"))
+            continue;
         SCOPED_TRACE(file.string());
         try {
             import_gltf(file);

@@ -37,7 +37,8 @@ TEST(GltfMorph, TakesTheNodesWeightsBeforeTheMeshes) {
 
 TEST(GltfMorph, MakesFlatNormalsOfTheMorphedShape) {
     GltfBuilder b = triangle();
-    const unsigned target = b.add(Positions{{0, 0, 0}, {0, 0, 0}, {0, -1, 1}}); // turns the triangle to face -y
+    const unsigned target =
+        b.add(Positions{{0, 0, 0}, {0, 0, 0}, {0, -1, 1}}); // turns the triangle to face -y
     b.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", target}}};
     b.json["meshes"][0]["weights"] = {1};
     EXPECT_EQ(import(b).scene.meshes.at(0).normals[0], glm::vec3(0, -1, 0));
@@ -77,7 +78,7 @@ TEST(GltfSkin, FollowsItsJointsAndNotItsNode) {
 TEST(GltfSkin, BlendsByWeightWhateverTheirSum) {
     const Mesh mesh = import(skinned({{0, 2, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}})).scene.meshes.at(0);
     expect_near(mesh.positions[0], {10, 0, 0});
-    expect_near(mesh.positions[1], {10, 1, 0});   // (1, 0, 0) turned to (0, 1, 0), moved by 10
+    expect_near(mesh.positions[1], {10, 1, 0});      // (1, 0, 0) turned to (0, 1, 0), moved by 10
     expect_near(mesh.positions[2], {9.5f, 0.5f, 0}); // between (10, 1, 0) and (9, 0, 0)
 }
 

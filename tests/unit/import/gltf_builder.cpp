@@ -11,7 +11,8 @@ void append_u32(std::vector<std::byte>& to, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) to.push_back(static_cast<std::byte>(value >> shift & 0xff));
 }
 
-template <class T> unsigned add_values(GltfBuilder& b, const std::vector<T>& v, Component component, const char* type) {
+template <class T>
+unsigned add_values(GltfBuilder& b, const std::vector<T>& v, Component component, const char* type) {
     return b.accessor(b.view(v), component, v.size(), type);
 }
 
@@ -32,7 +33,8 @@ unsigned GltfBuilder::view_of_bytes(std::span<const std::byte> bytes, unsigned s
 
 unsigned GltfBuilder::accessor(unsigned view, Component component, std::size_t count, const char* type,
                                bool normalized, std::size_t offset) {
-    nlohmann::json value{{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
+    nlohmann::json value{
+        {"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
     if (normalized) value["normalized"] = true;
     if (offset != 0) value["byteOffset"] = offset;
     return push("accessors", value);
@@ -64,7 +66,8 @@ std::vector<std::byte> GltfBuilder::glb() const {
     std::vector<std::byte> bytes;
     append_u32(bytes, 0x46546c67);
     append_u32(bytes, 2);
-    append_u32(bytes, static_cast<std::uint32_t>(12 + 8 + text.size() + (bin.empty() ? 0 : 8 + padded.size())));
+    append_u32(bytes,
+               static_cast<std::uint32_t>(12 + 8 + text.size() + (bin.empty() ? 0 : 8 + padded.size())));
     append_u32(bytes, static_cast<std::uint32_t>(text.size()));
     append_u32(bytes, 0x4e4f534a);
     const auto characters = std::as_bytes(std::span(text));
@@ -79,8 +82,8 @@ std::vector<std::byte> GltfBuilder::glb() const {
 std::string GltfBuilder::text() const {
     nlohmann::json whole = json;
     if (!bin.empty() && !whole.contains("buffers"))
-        whole["buffers"] = {{{"byteLength", bin.size()},
-                             {"uri", "data:application/octet-stream;base64," + base64(bin)}}};
+        whole["buffers"] = {
+            {{"byteLength", bin.size()}, {"uri", "data:application/octet-stream;base64," + base64(bin)}}};
     return whole.dump();
 }
 
@@ -96,7 +99,8 @@ GltfBuilder textured_triangle(const nlohmann::json& material) {
     const unsigned position = b.add(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const unsigned normal = b.add(std::vector<glm::vec3>(3, {0, 0, 1}));
     const unsigned uv = b.add(std::vector<glm::vec2>{{0, 0}, {1, 0}, {0, 1}});
-    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}}, {"material", 0}});
+    b.show(
+        {{"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}}, {"material", 0}});
     b.push("materials", material);
     return b;
 }

@@ -30,8 +30,8 @@ class GltfBuilder {
     }
     unsigned view_of_bytes(std::span<const std::byte> bytes, unsigned stride = 0);
 
-    unsigned accessor(unsigned view, Component component, std::size_t count, const char* type, bool normalized = false,
-                      std::size_t offset = 0);
+    unsigned accessor(unsigned view, Component component, std::size_t count, const char* type,
+                      bool normalized = false, std::size_t offset = 0);
 
     // View and accessor in one.
     unsigned add(const std::vector<float>& values);

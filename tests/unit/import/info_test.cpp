@@ -15,8 +15,9 @@ ImportResult sample() {
     b.json["asset"]["generator"] = "a\ntest";
     b.json["extensionsUsed"] = {"KHR_lights_punctual", "EXT_of_nobody"};
     b.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}, {"name", "bulb"}}};
-    b.push("nodes", {{"mesh", 0}, {"translation", {3, 0, 0}},
-                     {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    b.push(
+        "nodes",
+        {{"mesh", 0}, {"translation", {3, 0, 0}}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     b.json["scenes"][0]["nodes"].push_back(1);
     b.push("meshes", {{"primitives", {{{"attributes", {{"POSITION", 0}}}}}}});
     return import(b);
@@ -36,7 +37,8 @@ TEST(Info, CountsTheFileAndTheScene) {
     EXPECT_EQ(info["scene"]["lights"][0]["kind"], "point");
     EXPECT_EQ(info["scene"]["automatic_camera"], true);
     EXPECT_EQ(info["scene"]["has_light"], true);
-    // Three vertices of position, normal and uv, one triangle of three indices and a material, and the three structs.
+    // Three vertices of position, normal and uv, one triangle of three indices and a material, and the three
+    // structs.
     EXPECT_EQ(info["scene"]["memory_bytes"],
               3 * (12 + 12 + 8) + 12 + 4 + 2 * sizeof(Instance) + sizeof(Material) + sizeof(Light));
 }
@@ -44,14 +46,15 @@ TEST(Info, CountsTheFileAndTheScene) {
 TEST(Info, NamesExtensionsWithTheirSupport) {
     const nlohmann::json extensions = info_json(sample())["file"]["extensions"];
     ASSERT_EQ(extensions.size(), 2u);
-    EXPECT_EQ(extensions[0], (nlohmann::json{{"name", "EXT_of_nobody"}, {"required", false}, {"support", "ignored"}}));
+    EXPECT_EQ(extensions[0],
+              (nlohmann::json{{"name", "EXT_of_nobody"}, {"required", false}, {"support", "ignored"}}));
     EXPECT_EQ(extensions[1]["support"], "supported");
 }
 
 TEST(Info, SaysItInLinesForPeople) {
     const std::string text = info_text(sample());
-    for (const char* line : {"generator    a test\n", "extension    EXT_of_nobody (ignored)\n", "light        bulb (point)\n",
-                             "bounds       (0, 0, 0) to (4, 1, 0) m\n"})
+    for (const char* line : {"generator    a test\n", "extension    EXT_of_nobody (ignored)\n",
+                             "light        bulb (point)\n", "bounds       (0, 0, 0) to (4, 1, 0) m\n"})
         EXPECT_NE(text.find(line), std::string::npos) << text;
     EXPECT_EQ(text.back(), '\n');
 }

@@ -49,7 +49,8 @@ TEST(GltfLimits, HoldForMorphTargetsRepeatedManyTimes) {
     GltfBuilder b;
     const unsigned position = b.add(std::vector<glm::vec3>(30'000));
     b.show({{"attributes", {{"POSITION", position}}}});
-    b.json["meshes"][0]["primitives"][0]["targets"] = std::vector<nlohmann::json>(5000, {{"POSITION", position}});
+    b.json["meshes"][0]["primitives"][0]["targets"] =
+        std::vector<nlohmann::json>(5000, {{"POSITION", position}});
     b.json["meshes"][0]["weights"] = std::vector<float>(5000, 1.0f);
     EXPECT_NE(import_error(b, strict()).find("the limit is"), std::string::npos);
 }
@@ -72,8 +73,11 @@ TEST(GltfLimits, HoldForTheNumberOfJsonValues) {
 }
 
 TEST(GltfLimits, RefuseImagesOfNoSizeAndOfBombSize) {
-    for (const auto& [width, height] : {std::pair<std::uint32_t, std::uint32_t>{0, 1}, {1, 0}, {60'000, 60'000},
-                                        {0x7fffffff, 0x7fffffff}, {0xffffffff, 2}}) {
+    for (const auto& [width, height] : {std::pair<std::uint32_t, std::uint32_t>{0, 1},
+                                        {1, 0},
+                                        {60'000, 60'000},
+                                        {0x7fffffff, 0x7fffffff},
+                                        {0xffffffff, 2}}) {
         GltfBuilder b = textured_triangle({{"emissiveTexture", {{"index", 0}}}});
         const std::vector<std::byte> image = make_png({.width = width, .height = height});
         b.push("images", {{"bufferView", b.view(image)}});

@@ -22,7 +22,8 @@ constexpr const char* COLOR_MAP = R"({"pbrMetallicRoughness": {"baseColorTexture
 
 TEST(GltfMaterial, ReadsFactors) {
     const Material m = import(textured_triangle(parse(R"({"name": "m",
-        "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.6},
+        "pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5,
+                                 "roughnessFactor": 0.6},
         "emissiveFactor": [0.7, 0.8, 0.9], "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true})")))
                            .scene.materials.at(0);
     EXPECT_EQ(m.name, "m");
@@ -65,8 +66,10 @@ TEST(GltfMaterial, ReadsAllFiveTextureSlots) {
 }
 
 TEST(GltfMaterial, RejectsUnknownAlphaModesAndMissingTextures) {
-    EXPECT_NE(import_error(textured_triangle({{"alphaMode", "DITHER"}})).find("alphaMode"), std::string::npos);
-    EXPECT_NE(import_error(textured_triangle(parse(COLOR_MAP))).find("texture 0 does not exist"), std::string::npos);
+    EXPECT_NE(import_error(textured_triangle({{"alphaMode", "DITHER"}})).find("alphaMode"),
+              std::string::npos);
+    EXPECT_NE(import_error(textured_triangle(parse(COLOR_MAP))).find("texture 0 does not exist"),
+              std::string::npos);
     EXPECT_NE(import_error(textured_triangle({{"emissiveFactor", {1, 2}}})).find("must have 3 numbers"),
               std::string::npos);
     EXPECT_NE(import_error(textured_triangle({{"alphaCutoff", 1e300}})).find("too large"), std::string::npos);
@@ -99,7 +102,8 @@ TEST(GltfTexture, ReadsImagesFromFilesAndDataUris) {
     const TemporaryFolder folder;
     GltfBuilder b = with_texture(COLOR_MAP);
     write_file(folder / "\xc3\xa9t\xc3\xa9 1.png", one_texel(1, 2, 3));
-    b.json["images"] = {{{"uri", "%C3%A9t%C3%A9%201.png"}}, {{"uri", "data:image/png;base64," + base64(one_texel(4, 5, 6))}}};
+    b.json["images"] = {{{"uri", "%C3%A9t%C3%A9%201.png"}},
+                        {{"uri", "data:image/png;base64," + base64(one_texel(4, 5, 6))}}};
     EXPECT_EQ(import_text(b.text(), folder.path()).scene.images.at(0).rgba[2], 3);
     b.json["textures"][0]["source"] = 1;
     EXPECT_EQ(import_text(b.text(), folder.path()).scene.images.at(0).rgba[2], 6);
@@ -124,8 +128,8 @@ TEST(GltfTexture, IsIgnoredWithoutAnImage) {
 }
 
 TEST(GltfTexture, IsIgnoredOnAThirdSetOfCoordinates) {
-    const ImportResult result =
-        import(with_texture(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 2}}})"));
+    const ImportResult result = import(
+        with_texture(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 2}}})"));
     EXPECT_FALSE(result.scene.materials[0].base_color_texture.used());
     EXPECT_EQ(result.info.warnings.size(), 1u);
 }
@@ -143,12 +147,15 @@ TEST(GltfTexture, ReadsWebP) {
 }
 
 TEST(GltfTexture, IsTransformedByScaleThenRotationThenOffset) { // KHR_texture_transform
-    const Material m = import(with_texture(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
-        {"KHR_texture_transform": {"offset": [0.5, 0.25], "rotation": 1.5707963, "scale": [2, 3], "texCoord": 1}}}}})"))
-                           .scene.materials[0];
+    const Material m =
+        import(with_texture(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
+        {"KHR_texture_transform": {"offset": [0.5, 0.25], "rotation": 1.5707963, "scale": [2, 3],
+                                   "texCoord": 1}}}}})"))
+            .scene.materials[0];
     const TextureUse& use = m.base_color_texture;
     EXPECT_EQ(use.uv_set, 1u);
-    // (0.1, 0.2) -> scaled (0.2, 0.6) -> a quarter turn that takes +u to -v and +v to +u: (0.6, -0.2) -> (1.1, 0.05).
+    // (0.1, 0.2) -> scaled (0.2, 0.6) -> a quarter turn that takes +u to -v and +v to +u: (0.6, -0.2) ->
+    // (1.1, 0.05).
     const glm::vec3 uv(0.1f, 0.2f, 1);
     EXPECT_NEAR(glm::dot(use.uv_row_u, uv), 1.1f, 1e-6f);
     EXPECT_NEAR(glm::dot(use.uv_row_v, uv), 0.05f, 1e-6f);
@@ -177,9 +184,11 @@ TEST(GltfMaterialExtension, ReadsUnlitIorAndSpecular) {
 }
 
 TEST(GltfMaterialExtension, RejectsImpossibleValues) {
-    EXPECT_NE(import_error(textured_triangle(parse(R"({"extensions": {"KHR_materials_ior": {"ior": 0.5}}})"))).find("ior"),
+    EXPECT_NE(import_error(textured_triangle(parse(R"({"extensions": {"KHR_materials_ior": {"ior": 0.5}}})")))
+                  .find("ior"),
               std::string::npos);
-    EXPECT_NE(import_error(textured_triangle(parse(R"({"extensions": {"KHR_materials_unlit": []}})"))).find("object"),
+    EXPECT_NE(import_error(textured_triangle(parse(R"({"extensions": {"KHR_materials_unlit": []}})")))
+                  .find("object"),
               std::string::npos);
 }
 

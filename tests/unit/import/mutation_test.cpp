@@ -26,15 +26,21 @@ class Mutator {
         auto victim = container.begin();
         std::advance(victim, below(container.size()));
         const std::size_t choice = below(8);
-        if (choice == 0) container.erase(victim);
-        else if (choice == 1 && container.is_array()) container.push_back(nlohmann::json(*victim));
-        else if (choice == 2) *victim = nlohmann::json(*containers[below(containers.size())]);
-        else if (choice <= 4 && victim->is_number()) *victim = victim->get<double>() + (choice == 3 ? 1 : -1);
-        else *victim = strange_value();
+        if (choice == 0)
+            container.erase(victim);
+        else if (choice == 1 && container.is_array())
+            container.push_back(nlohmann::json(*victim));
+        else if (choice == 2)
+            *victim = nlohmann::json(*containers[below(containers.size())]);
+        else if (choice <= 4 && victim->is_number())
+            *victim = victim->get<double>() + (choice == 3 ? 1 : -1);
+        else
+            *victim = strange_value();
     }
 
     void change(std::vector<std::byte>& bytes) {
-        for (std::size_t i = 0; i <= below(4); ++i) bytes[below(bytes.size())] = static_cast<std::byte>(below(256));
+        for (std::size_t i = 0; i <= below(4); ++i)
+            bytes[below(bytes.size())] = static_cast<std::byte>(below(256));
         if (below(20) == 0) bytes.resize(below(bytes.size()) + 1);
     }
 
@@ -46,10 +52,39 @@ class Mutator {
     }
 
     nlohmann::json strange_value() {
-        static const nlohmann::json values[] = {
-            nullptr, true, "", "text", nlohmann::json::array(), nlohmann::json::object(), 0, 1, 3, -1, 0.5, 255, 65535,
-            1 << 20, 0x7fffffff, 0xffffffffu, std::int64_t{1} << 40, INT64_MAX, INT64_MIN, UINT64_MAX, 1e30, -1e30,
-            1e300, 1e-45, 5120, 5121, 5125, 5126, "data:,", "../x", {0}, {1, 2, 3}, {{"index", 0}}};
+        static const nlohmann::json values[] = {nullptr,
+                                                true,
+                                                "",
+                                                "text",
+                                                nlohmann::json::array(),
+                                                nlohmann::json::object(),
+                                                0,
+                                                1,
+                                                3,
+                                                -1,
+                                                0.5,
+                                                255,
+                                                65535,
+                                                1 << 20,
+                                                0x7fffffff,
+                                                0xffffffffu,
+                                                std::int64_t{1} << 40,
+                                                INT64_MAX,
+                                                INT64_MIN,
+                                                UINT64_MAX,
+                                                1e30,
+                                                -1e30,
+                                                1e300,
+                                                1e-45,
+                                                5120,
+                                                5121,
+                                                5125,
+                                                5126,
+                                                "data:,",
+                                                "../x",
+                                                {0},
+                                                {1, 2, 3},
+                                                {{"index", 0}}};
         return values[below(std::size(values))];
     }
 

@@ -70,6 +70,20 @@ TEST(GltfNodes, RejectsTransformsThatOverflow) {
     EXPECT_NE(import_error(b).find("not finite"), std::string::npos);
 }
 
+TEST(GltfNodes, AreNotShownWithAScaleOfZero) {
+    GltfBuilder b = triangle();
+    b.json["nodes"][0]["scale"] = {1, 0, 1};
+    const ImportResult result = import(b);
+    EXPECT_TRUE(result.scene.instances.empty());
+    EXPECT_NE(result.info.warnings.at(0).find("its scale is zero"), std::string::npos);
+}
+
+TEST(GltfNodes, RejectsAWorldTooLargeToMeasure) {
+    GltfBuilder b = triangle();
+    b.json["nodes"][0]["translation"] = {1e19, 0, 0};
+    EXPECT_NE(import_error(b).find("too far"), std::string::npos) << import_error(b);
+}
+
 GltfBuilder two_scenes() {
     GltfBuilder b = triangle();
     b.json["nodes"] = {{{"mesh", 0}, {"name", "a"}}, {{"mesh", 0}, {"name", "b"}}};
@@ -112,9 +126,9 @@ TEST(GltfScenes, MayListANodeAndItsChild) {
 
 TEST(GltfCameras, AreReadWithoutTheirScale) {
     GltfBuilder b = triangle();
-    b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}, {"name", "main"}},
-                         {{"type", "orthographic"},
-                          {"orthographic", {{"xmag", 2}, {"ymag", 3}, {"znear", 0}, {"zfar", 1}}}}};
+    b.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}, {"name", "main"}},
+        {{"type", "orthographic"}, {"orthographic", {{"xmag", 2}, {"ymag", 3}, {"znear", 0}, {"zfar", 1}}}}};
     b.push("nodes", {{"camera", 0}, {"translation", {0, 0, 5}}, {"scale", {2, 3, 4}}});
     b.push("nodes", {{"camera", 1}, {"name", "side"}});
     b.json["scenes"][0]["nodes"] = {0, 1, 2};
@@ -137,11 +151,12 @@ TEST(GltfCameras, AreMadeWhereTheSceneHasNone) {
 }
 
 TEST(GltfCameras, RejectImpossibleLenses) {
-    for (const char* lens : {R"({"type": "perspective", "perspective": {"yfov": 0}})",
-                             R"({"type": "perspective", "perspective": {"yfov": 3.2}})", R"({"type": "perspective"})",
-                             R"({"type": "orthographic", "orthographic": {"ymag": 0}})", R"({"type": "fisheye"})"}) {
+    for (const char* lens :
+         {R"({"type": "perspective", "perspective": {"yfov": 0}})",
+          R"({"type": "perspective", "perspective": {"yfov": 3.2}})", R"({"type": "perspective"})",
+          R"({"type": "orthographic", "orthographic": {"ymag": 0}})", R"({"type": "fisheye"})"}) {
         GltfBuilder b = triangle();
-        b.json["cameras"] = {nlohmann::json::parse(lens)};
+        b.json["cameras"] = nlohmann::json::array({nlohmann::json::parse(lens)});
         b.json["nodes"][0]["camera"] = 0;
         EXPECT_NE(import_error(b).find("cameras[0]"), std::string::npos) << lens;
     }
@@ -150,7 +165,8 @@ TEST(GltfCameras, RejectImpossibleLenses) {
 GltfBuilder with_light(const char* light) {
     GltfBuilder b = triangle();
     b.json["extensionsUsed"] = {"KHR_lights_punctual"};
-    b.json["extensions"]["KHR_lights_punctual"]["lights"] = {nlohmann::json::parse(light)};
+    b.json["extensions"]["KHR_lights_punctual"]["lights"] =
+        nlohmann::json::array({nlohmann::json::parse(light)});
     b.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
     return b;
 }
@@ -177,7 +193,8 @@ TEST(GltfLights, HaveTheDefaultsOfTheExtension) {
     EXPECT_EQ(light.range, 0.0f);
     EXPECT_EQ(light.inner_cone_angle, 0.0f);
     EXPECT_FLOAT_EQ(light.outer_cone_angle, std::numbers::pi_v<float> / 4);
-    EXPECT_EQ(import(with_light(R"({"type": "directional"})")).scene.lights.at(0).direction, glm::vec3(0, 0, -1));
+    EXPECT_EQ(import(with_light(R"({"type": "directional"})")).scene.lights.at(0).direction,
+              glm::vec3(0, 0, -1));
 }
 
 TEST(GltfLights, RejectUnknownTypesAndImpossibleCones) {

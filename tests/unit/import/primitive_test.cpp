@@ -12,14 +12,18 @@ std::vector<glm::uvec3> triangles_of(int mode, const std::vector<std::uint16_t>&
     GltfBuilder b;
     const unsigned position = b.add(FIVE);
     const unsigned normal = b.add(std::vector<glm::vec3>(5, {0, 0, 1}));
-    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}}, {"indices", b.add(indices)}, {"mode", mode}});
+    b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
+            {"indices", b.add(indices)},
+            {"mode", mode}});
     const Scene scene = import(b).scene;
     return scene.meshes.empty() ? std::vector<glm::uvec3>{} : scene.meshes[0].triangles;
 }
 
 using Triangles = std::vector<glm::uvec3>;
 
-TEST(GltfPrimitive, ReadsTriangles) { EXPECT_EQ(triangles_of(4, {0, 1, 2, 1, 3, 2}), (Triangles{{0, 1, 2}, {1, 3, 2}})); }
+TEST(GltfPrimitive, ReadsTriangles) {
+    EXPECT_EQ(triangles_of(4, {0, 1, 2, 1, 3, 2}), (Triangles{{0, 1, 2}, {1, 3, 2}}));
+}
 
 TEST(GltfPrimitive, AlternatesTheWindingOfStrips) { // glTF 2.0, section 3.7.2.1
     EXPECT_EQ(triangles_of(5, {0, 1, 2, 3, 4}), (Triangles{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
@@ -93,7 +97,8 @@ TEST(GltfPrimitive, RejectsAttributesOfAnotherLength) {
 TEST(GltfPrimitive, MakesFlatNormalsAndUnweldsWhereNoneAreGiven) {
     GltfBuilder b; // two faces of a roof that share the edge 0-1
     const unsigned position = b.add(std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 1}, {1, -1, 0}, {-1, -1, 0}});
-    b.show({{"attributes", {{"POSITION", position}}}, {"indices", b.add(std::vector<std::uint16_t>{0, 1, 2, 1, 0, 3})}});
+    b.show({{"attributes", {{"POSITION", position}}},
+            {"indices", b.add(std::vector<std::uint16_t>{0, 1, 2, 1, 0, 3})}});
     const Mesh mesh = import(b).scene.meshes.at(0);
     ASSERT_EQ(mesh.positions.size(), 6u);
     const float h = std::sqrt(0.5f);
@@ -122,7 +127,8 @@ TEST(GltfPrimitive, ReplacesTextureCoordinatesThatAreNotFinite) {
 TEST(GltfPrimitive, KeepsOnlyTheVerticesThatAPrimitiveUses) {
     GltfBuilder b;
     std::vector<glm::vec3> many(1000);
-    for (std::size_t i = 0; i < many.size(); ++i) many[i] = {static_cast<float>(i), static_cast<float>(i % 2), 0};
+    for (std::size_t i = 0; i < many.size(); ++i)
+        many[i] = {static_cast<float>(i), static_cast<float>(i % 2), 0};
     const unsigned position = b.add(many);
     const unsigned normal = b.add(std::vector<glm::vec3>(1000, {0, 0, 1}));
     b.show({{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},

@@ -9,7 +9,8 @@ namespace {
 GltfBuilder strip_with_indices() {
     GltfBuilder b;
     const unsigned position = b.add(SQUARE);
-    b.show({{"attributes", {{"POSITION", position}}}, {"indices", b.add(std::vector<std::uint16_t>{0, 1, 2, 3})},
+    b.show({{"attributes", {{"POSITION", position}}},
+            {"indices", b.add(std::vector<std::uint16_t>{0, 1, 2, 3})},
             {"mode", 5}});
     b.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", position}}}, {"mode", 0}});
     return b;
@@ -26,17 +27,30 @@ GltfBuilder sparse_accessor() {
 }
 
 GltfBuilder every_material_property() {
-    const nlohmann::json map = {{"index", 0}, {"texCoord", 0}, {"extensions", {{"KHR_texture_transform",
-        {{"offset", {0.1, 0.2}}, {"rotation", 0.3}, {"scale", {2, 3}}, {"texCoord", 0}}}}}};
-    GltfBuilder b = textured_triangle({
-        {"pbrMetallicRoughness", {{"baseColorFactor", {1, 0.5, 0.25, 1}}, {"baseColorTexture", map},
-                                  {"metallicFactor", 0.5}, {"roughnessFactor", 0.5}}},
-        {"normalTexture", map}, {"occlusionTexture", map}, {"emissiveTexture", map}, {"emissiveFactor", {1, 1, 1}},
-        {"alphaMode", "MASK"}, {"alphaCutoff", 0.3}, {"doubleSided", true},
-        {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}},
-                        {"KHR_materials_ior", {{"ior", 1.4}}},
-                        {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 1, 1}}}},
-                        {"KHR_materials_unlit", nlohmann::json::object()}}}});
+    const nlohmann::json map = {
+        {"index", 0},
+        {"texCoord", 0},
+        {"extensions",
+         {{"KHR_texture_transform",
+           {{"offset", {0.1, 0.2}}, {"rotation", 0.3}, {"scale", {2, 3}}, {"texCoord", 0}}}}}};
+    GltfBuilder b = textured_triangle(
+        {{"pbrMetallicRoughness",
+          {{"baseColorFactor", {1, 0.5, 0.25, 1}},
+           {"baseColorTexture", map},
+           {"metallicFactor", 0.5},
+           {"roughnessFactor", 0.5}}},
+         {"normalTexture", map},
+         {"occlusionTexture", map},
+         {"emissiveTexture", map},
+         {"emissiveFactor", {1, 1, 1}},
+         {"alphaMode", "MASK"},
+         {"alphaCutoff", 0.3},
+         {"doubleSided", true},
+         {"extensions",
+          {{"KHR_materials_emissive_strength", {{"emissiveStrength", 2}}},
+           {"KHR_materials_ior", {{"ior", 1.4}}},
+           {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 1, 1}}}},
+           {"KHR_materials_unlit", nlohmann::json::object()}}}});
     b.push("images", {{"bufferView", b.view(one_texel(1, 2, 3))}, {"mimeType", "image/png"}});
     b.push("samplers", {{"magFilter", 9728}, {"wrapS", 33071}, {"wrapT", 33648}});
     b.push("textures", {{"source", 0}, {"sampler", 0}});
@@ -53,7 +67,10 @@ GltfBuilder tree_of_everything() {
     b.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
     b.json["extensionsUsed"] = {"KHR_lights_punctual"};
     b.json["extensions"]["KHR_lights_punctual"]["lights"] = {
-        {{"type", "spot"}, {"color", {1, 1, 1}}, {"intensity", 3}, {"range", 9},
+        {{"type", "spot"},
+         {"color", {1, 1, 1}},
+         {"intensity", 3},
+         {"range", 9},
          {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}}};
     return b;
 }
@@ -68,14 +85,16 @@ GltfBuilder skin_and_morph() {
     b.json["meshes"][0]["weights"] = {0.5};
     b.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"children", {2}}}, {{"translation", {1, 2, 3}}}};
     b.json["scenes"][0]["nodes"] = {0, 1};
-    b.json["skins"] = {{{"joints", {1, 2}},
-                        {"inverseBindMatrices", b.add(std::vector<glm::mat4>(2, glm::mat4(1)))}}};
+    b.json["skins"] = {
+        {{"joints", {1, 2}}, {"inverseBindMatrices", b.add(std::vector<glm::mat4>(2, glm::mat4(1)))}}};
     return b;
 }
 
 GltfBuilder meshopt_file() {
+    std::vector<glm::vec3> filtered(SQUARE.size());
+    meshopt_encodeFilterExp(filtered.data(), filtered.size(), sizeof(glm::vec3), 15, &SQUARE[0].x);
     GltfBuilder b;
-    const unsigned view = compressed_view(b, encode_vertices(SQUARE), 4, 12, "ATTRIBUTES", "EXPONENTIAL");
+    const unsigned view = compressed_view(b, encode_vertices(filtered), 4, 12, "ATTRIBUTES", "EXPONENTIAL");
     b.show({{"attributes", {{"POSITION", b.accessor(view, F32, 4, "VEC3")}}}, {"mode", 6}});
     return b;
 }

@@ -39,7 +39,8 @@ void expect_all(const Primitive& p, const glm::vec4& expected) {
             EXPECT_NEAR(glm::length(tangent_of(p, t, k) - expected), 0, 1e-5f) << "triangle " << t;
 }
 
-// v grows downwards in glTF: where the picture is upright (v falls as y grows) the bitangent w * cross(n, t) is +y.
+// v grows downwards in glTF: where the picture is upright (v falls as y grows) the bitangent w * cross(n, t)
+// is +y.
 TEST(Tangents, FollowUAndPointTheBitangentUpThePicture) {
     Primitive upright = grid(2, [](float x, float y) { return glm::vec2(x, -y); });
     make_tangents({}, upright);
@@ -77,7 +78,8 @@ TEST(Tangents, SplitTheVerticesOfAMirrorSeam) {
     for (std::size_t t = 0; t < p.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k) {
             const bool left = p.positions[p.triangles[t][0]].x + p.positions[p.triangles[t][1]].x +
-                                  p.positions[p.triangles[t][2]].x < 3;
+                                  p.positions[p.triangles[t][2]].x <
+                              3;
             const float sign = left ? -1.0f : 1.0f;
             EXPECT_EQ(tangent_of(p, t, k), glm::vec4(sign, 0, 0, sign));
         }
@@ -116,7 +118,8 @@ TEST(Tangents, OfATriangleWithoutTextureAreaComeFromItsNeighbour) {
 TEST(Tangents, AreAlwaysUnitAndAcrossTheNormal) {
     std::mt19937 random(1);
     const auto coarse = [&](unsigned n) { return static_cast<float>(random() % n); };
-    for (int round = 0; round < 50; ++round) { // coarse numbers make degenerate, mirrored and repeated triangles
+    for (int round = 0; round < 50;
+         ++round) { // coarse numbers make degenerate, mirrored and repeated triangles
         Primitive p;
         for (int i = 0; i < 40; ++i) {
             p.positions.emplace_back(coarse(3), coarse(3), coarse(3));

@@ -39,7 +39,8 @@ TEST(SceneValidation, AcceptsATriangleAndAnEmptyScene) {
 TEST(SceneValidation, NamesWhatIsOutOfRange) {
     Scene scene = one_triangle();
     scene.meshes[0].triangles[0].z = 3;
-    EXPECT_NE(complaint(scene).find("mesh 0 'shape': triangle 0: vertex index out of range"), std::string::npos);
+    EXPECT_NE(complaint(scene).find("mesh 0 'shape': triangle 0: vertex index out of range"),
+              std::string::npos);
     scene = one_triangle();
     scene.meshes[0].triangle_materials[0] = 1;
     EXPECT_NE(complaint(scene).find("material 1 does not exist"), std::string::npos);
@@ -74,14 +75,18 @@ TEST(SceneValidation, NamesNumbersThatAreNotFinite) {
     scene.instances[0].to_world[3].x = INFINITY;
     EXPECT_NE(complaint(scene).find("transform is not finite"), std::string::npos);
     scene = one_triangle();
+    scene.instances[0].to_world[0].x = 2e18f;
+    EXPECT_NE(complaint(scene).find("too far"), std::string::npos);
+    scene = one_triangle();
     scene.materials[0].emission.x = INFINITY;
     EXPECT_NE(complaint(scene).find("a factor is not finite"), std::string::npos);
 }
 
 TEST(SceneBounds, HoldEveryInstance) {
     Scene scene = one_triangle();
-    scene.instances.push_back({"far", 0, glm::mat4(glm::vec4(-2, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
-                                                   glm::vec4(10, 0, 5, 1))});
+    scene.instances.push_back({"far", 0,
+                               glm::mat4(glm::vec4(-2, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
+                                         glm::vec4(10, 0, 5, 1))});
     const Bounds bounds = scene_bounds(scene);
     EXPECT_EQ(bounds.lower, glm::vec3(0, 0, 0));
     EXPECT_EQ(bounds.upper, glm::vec3(10, 1, 5));
