@@ -46,10 +46,11 @@ void check(const RenderSettings& s) {
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
 }
 
-// Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too.
-std::uint32_t samples_per_pass(std::uint32_t pool_paths, std::uint32_t chunk_pixels, std::uint32_t segment_paths) {
-    const std::uint32_t fit = std::max(pool_paths / chunk_pixels, 1u);
-    return std::min({std::bit_floor(fit), MAX_SAMPLES_PER_PASS, segment_paths});
+// Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too, and eight at
+// least, so that neighbouring paths begin alike and a pixel's sums are fetched once for all of them.
+std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels) {
+    const std::uint32_t fit = std::max(pool.paths() / chunk_pixels, 8u);
+    return std::min({std::bit_floor(fit), MAX_SAMPLES_PER_PASS, pool.segment_paths()});
 }
 
 } // namespace
@@ -199,8 +200,7 @@ bool RenderJob::run_samples(PassRunner& runner, std::uint32_t done, std::uint32_
 
 RenderOutput RenderJob::run(const ProgressSink& progress) {
     const Clock::time_point start = Clock::now();
-    const std::uint32_t per_pass = samples_per_pass(pool_.paths(), std::min(film_.chunk_pixels(), film_.pixel_count()),
-                                                    pool_.segment_paths());
+    const std::uint32_t per_pass = samples_per_pass(pool_, std::min(film_.chunk_pixels(), film_.pixel_count()));
     RenderOutput output;
     RenderStats& stats = output.stats;
     PassRunner runner(commands_, steps_.list(), settings_.slice_seconds);
@@ -208,7 +208,9 @@ RenderOutput RenderJob::run(const ProgressSink& progress) {
         return !progress || progress({"render", stats.samples, settings_.samples, seconds_since(start)});
     };
     while (stats.samples < settings_.samples) {
-        const std::uint32_t count = std::bit_floor(std::min(per_pass, settings_.samples - stats.samples));
+        // One sample first, then as many again: whoever interrupts early has a whole picture.
+        const std::uint32_t wanted = std::min(std::max(stats.samples, 1u), settings_.samples - stats.samples);
+        const std::uint32_t count = std::bit_floor(std::min(per_pass, wanted));
         if (!run_samples(runner, stats.samples, count, keep_going)) {
             stats.interrupted = true;
             break;

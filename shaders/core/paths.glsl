@@ -1,6 +1,6 @@
 // What kernels write: path state, shadow rays, segment counters and path radiances (bindings.glsl.h).
 // Paths and shadow rays are read and written as whole 16-byte words: on lavapipe every load or store is a loop over the
-// lanes, so a struct member by member costs several times as much.
+// lanes, and a store one over lanes and components.
 #ifndef AJAR_PATHS_GLSL
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
@@ -33,16 +33,19 @@ PathState path_load(uint slot) {
                      c.w, d.x, d.y, uintBitsToFloat(d.z), uintBitsToFloat(d.w));
 }
 
-// The last word alone: what extend finds.
+// The last word alone: what extend finds. Without instancing all triangles are instance 0's.
 void path_store_hit(uint slot, uint triangle, uint instance, float u, float v) {
     path_words[4u * slot + 3u] = uvec4(triangle, instance, floatBitsToUint(u), floatBitsToUint(v));
 }
 
+// A path about to be extended: u and v are left as they are, and what no kernel of this scene reads.
 void path_store(uint slot, PathState path) {
     path_words[4u * slot] = uvec4(floatBitsToUint(path.origin), path.home);
     path_words[4u * slot + 1u] = uvec4(floatBitsToUint(path.direction), floatBitsToUint(path.pdf));
-    path_words[4u * slot + 2u] = uvec4(floatBitsToUint(path.beta), path.salt);
-    path_store_hit(slot, path.triangle, path.instance, path.u, path.v);
+    path_words[4u * slot + 2u].xyz = floatBitsToUint(path.beta);
+    if (has_feature(FEATURE_ALPHA)) path_words[4u * slot + 2u].w = path.salt;
+    path_words[4u * slot + 3u].x = path.triangle;
+    if (has_feature(FEATURE_INSTANCES)) path_words[4u * slot + 3u].y = path.instance;
 }
 
 ShadowRay shadow_ray_load(uint slot) {
@@ -58,7 +61,10 @@ void shadow_ray_store(uint slot, ShadowRay ray) {
     shadow_ray_words[4u * slot] = uvec4(floatBitsToUint(ray.origin), ray.home);
     shadow_ray_words[4u * slot + 1u] = uvec4(floatBitsToUint(ray.direction), floatBitsToUint(ray.distance));
     shadow_ray_words[4u * slot + 2u] = uvec4(floatBitsToUint(ray.contribution), ray.triangle);
-    shadow_ray_words[4u * slot + 3u] = uvec4(ray.instance, ray.light_triangle, ray.light_instance, ray.salt);
+    shadow_ray_words[4u * slot + 3u].y = ray.light_triangle;
+    if (has_feature(FEATURE_INSTANCES)) shadow_ray_words[4u * slot + 3u].x = ray.instance;
+    if (has_feature(FEATURE_INSTANCES)) shadow_ray_words[4u * slot + 3u].z = ray.light_instance;
+    if (has_feature(FEATURE_ALPHA)) shadow_ray_words[4u * slot + 3u].w = ray.salt;
 }
 
 void radiance_add(uint home, vec3 value) { radiance[home] = radiance[home] + vec4(value, 0.0); }
