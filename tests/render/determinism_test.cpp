@@ -51,7 +51,10 @@ class Determinism : public RenderTest, public testing::WithParamInterface<SmallS
         return render_checked(other, scene, odd_settings()).image;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(small_scenes()),
+// Between them: every kind of surface, texture and light but a mirror's; Cards toss coins along rays.
+INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
+                         testing::Values(small_scenes()[1], small_scenes()[3], small_scenes()[4],
+                                         small_scenes()[6]),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {

@@ -12,14 +12,7 @@ const glm::vec3 ALBEDO(0.8f, 0.5f, 0.2f);
 
 class ExactAnswers : public RenderTest {};
 
-class ExactAnswersByStrategy : public RenderTest, public testing::WithParamInterface<const char*> {
-  protected:
-    static RenderSettings settings() {
-        RenderSettings settings = small_settings();
-        settings.strategy = GetParam();
-        return settings;
-    }
-};
+class ExactAnswersByStrategy : public RenderTestByStrategy {};
 INSTANTIATE_TEST_SUITE_P(Strategies, ExactAnswersByStrategy, testing::Values("bsdf", "light", "mis"),
                          [](const auto& row) { return std::string(row.param); });
 
@@ -59,41 +52,6 @@ double polygon_irradiance(const std::vector<glm::dvec3>& corners, const glm::dve
         sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
     }
     return 0.5 * std::abs(sum);
-}
-
-TEST_P(ExactAnswersByStrategy, AConvexLambertianBodyInAFurnaceReturnsItsAlbedo) {
-    SceneBuilder builder;
-    builder.sphere({0, 0, 0}, 1, 3, Normals::flat, builder.material(lambert(ALBEDO)));
-    builder.constant_environment({1, 0.5f, 2});
-    builder.orthographic({0, 0, 5}, {0, 0, 0}, 1.1f);
-    const Scene scene = builder.build();
-    for (const std::uint32_t bounces : {0u, 4u}) {
-        RenderSettings settings = ExactAnswersByStrategy::settings();
-        settings.max_bounces = bounces; // light that left a convex body is gone
-        expect_radiance(render(scene, settings), scene.cameras[0], settings,
-                        [](const ViewRay& ray) -> std::optional<glm::dvec3> {
-                            if (!meet_sphere(ray, {0, 0, 0}, 0.98))
-                                return std::nullopt; // its facets' own outline
-                            return glm::dvec3(ALBEDO) * glm::dvec3(1, 0.5, 2);
-                        });
-    }
-}
-
-TEST_F(ExactAnswers, BsdfSamplingOfALambertianBodyInAFurnaceHasNoVariance) {
-    // f cos / pdf is the albedo whatever the direction, so a single sample is right. A ray that wrongly met
-    // the body again would show.
-    SceneBuilder builder;
-    builder.sphere({0, 0, 0}, 1, 3, Normals::flat, builder.material(lambert(ALBEDO)));
-    builder.constant_environment({1, 1, 1});
-    builder.orthographic({0, 0, 5}, {0, 0, 0}, 0.6f); // the body fills the picture
-    RenderSettings settings = small_settings();
-    settings.width = settings.height = 128;
-    settings.strategy = "bsdf";
-    const Image image = render(builder.build(), settings);
-    for (std::uint32_t y = 0; y < image.height; ++y)
-        for (std::uint32_t x = 0; x < image.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(pixel(image, "", x, y)[c], ALBEDO[c], 1e-6) << x << ", " << y;
 }
 
 TEST_F(ExactAnswers, APointLightOverAPlaneFallsWithTheSquareOfTheDistance) {
@@ -175,7 +133,7 @@ TEST_P(ExactAnswersByStrategy, ASquareLightOverAPlaneFollowsLambertsFormula) {
     add_floor(builder);
     builder.square({0, 1.5f, 0}, {0, -1, 0}, 1, builder.material(emitter({4, 2, 1})));
     const Scene scene = builder.build();
-    RenderSettings settings = ExactAnswersByStrategy::settings();
+    RenderSettings settings = strategy_settings();
     settings.samples = 256;
     const std::vector<glm::dvec3> corners = {{-1, 1.5, -1}, {1, 1.5, -1}, {1, 1.5, 1}, {-1, 1.5, 1}};
     const auto under = floor_under([=](const glm::dvec3& p) {
@@ -195,7 +153,7 @@ TEST_P(ExactAnswersByStrategy, AnEmitterShinesFromItsFrontOnlyUnlessDoubleSided)
         builder.square({0, 2, 0}, {0, -1, 0}, 50, builder.material(lambert(ALBEDO)));
         builder.perspective({0, 1.2f, 4}, {0, 2, 0}, 0.5f);
         const Scene scene = builder.build();
-        RenderSettings settings = ExactAnswersByStrategy::settings();
+        RenderSettings settings = strategy_settings();
         settings.samples = 256;
         const auto above = [=](const ViewRay& ray) -> std::optional<glm::dvec3> {
             const glm::dvec3 p = meet_plane(ray, {0, 2, 0}, {0, 1, 0});
@@ -216,6 +174,56 @@ TEST_F(ExactAnswers, TheBackOfASingleSidedEmitterIsBlack) {
         const Scene scene = builder.build();
         const RenderSettings settings = small_settings();
         const glm::dvec3 seen = double_sided ? glm::dvec3(1, 2, 4) : glm::dvec3(0);
+        expect_radiance(
+            render(scene, settings), scene.cameras[0], settings,
+            [=](const ViewRay&) { return std::optional(seen); }, 0);
+    }
+}
+
+TEST_F(ExactAnswers, ABlendedSurfaceIsThereWithTheProbabilityOfItsAlpha) {
+    // Seen through it: the emitter behind, less what the black veil takes.
+    SceneBuilder builder;
+    Material veil = lambert({0, 0, 0});
+    veil.base_color.a = 0.3f;
+    veil.alpha_mode = AlphaMode::blend;
+    builder.square({0, 0, 1}, {0, 0, 1}, 5, builder.material(veil));
+    builder.square({0, 0, 0.5f}, {0, 0, -1}, 5, builder.material(veil)); // from behind it is there too
+    builder.square({0, 0, 0}, {0, 0, 1}, 5, builder.material(emitter({1, 2, 4})));
+    builder.orthographic({0, 0, 3}, {0, 0, 0}, 1);
+    const Scene scene = builder.build();
+    RenderSettings settings = small_settings();
+    settings.samples = 256;
+    expect_radiance(render(scene, settings), scene.cameras[0], settings,
+                    [](const ViewRay&) { return std::optional(0.7 * 0.7 * glm::dvec3(1, 2, 4)); });
+}
+
+TEST_F(ExactAnswers, ABlendedSurfaceCastsTheShadowOfItsAlpha) {
+    SceneBuilder builder;
+    add_floor(builder);
+    Material veil = lambert({0, 0, 0});
+    veil.base_color.a = 0.3f;
+    veil.alpha_mode = AlphaMode::blend;
+    builder.square({0, 2, 0}, {0, 1, 0}, 100, builder.material(veil));
+    builder.directional_light({0.3f, -1, 0.2f}, {PI, PI, PI});
+    const Scene scene = builder.build();
+    RenderSettings settings = small_settings();
+    settings.samples = 256;
+    const double cosine = 1 / std::sqrt(1 + 0.09 + 0.04);
+    expect_radiance(render(scene, settings), scene.cameras[0], settings,
+                    floor_under([=](const glm::dvec3&) { return glm::dvec3(0.7 * PI * cosine); }));
+}
+
+TEST_F(ExactAnswers, AMaskedSurfaceIsThereFromItsCutoffOn) {
+    for (const float alpha : {0.49f, 0.5f, 0.51f}) {
+        SceneBuilder builder;
+        Material mask = emitter({1, 2, 4});
+        mask.base_color.a = alpha;
+        mask.alpha_mode = AlphaMode::mask; // cut off below 0.5
+        builder.square({0, 0, 0}, {0, 0, 1}, 5, builder.material(mask));
+        builder.orthographic({0, 0, 3}, {0, 0, 0}, 1);
+        const Scene scene = builder.build();
+        const RenderSettings settings = small_settings();
+        const glm::dvec3 seen = alpha < 0.5f ? glm::dvec3(0) : glm::dvec3(1, 2, 4);
         expect_radiance(
             render(scene, settings), scene.cameras[0], settings,
             [=](const ViewRay&) { return std::optional(seen); }, 0);
@@ -248,42 +256,6 @@ TEST_F(ExactAnswers, DirectLightAloneLeavesReflectionsOut) {
             added.add(pixel(reflected, "", x, y).x - pixel(alone, "", x, y).x);
     EXPECT_GT(added.mean(), 5 * added.standard_error())
         << "the walls reflect nothing: there was nothing to leave out";
-}
-
-TEST_P(ExactAnswersByStrategy, AFurnaceRoomSumsItsAlbedosPowers) {
-    // Every wall emits e and reflects a: after n indirect bounces, e times the sum of a^k for k = 0 .. n + 1.
-    SceneBuilder builder;
-    const glm::dvec3 a(0.25, 0.5, 0.8);
-    const glm::dvec3 e(1, 0.5, 2);
-    builder.room({-1, -1, -1}, {1, 1, 1}, builder.material(glowing_lambert(a, e)));
-    builder.perspective({0.2f, 0.1f, 0.7f}, {-0.3f, -0.2f, -1}, 1);
-    const Scene scene = builder.build();
-    for (const std::uint32_t bounces : {0u, 1u, 4u, 12u}) {
-        RenderSettings settings = ExactAnswersByStrategy::settings();
-        settings.max_bounces = bounces;
-        settings.samples = 128;
-        glm::dvec3 sum(0);
-        for (std::uint32_t k = 0; k <= bounces + 1; ++k) sum += glm::pow(a, glm::dvec3(k));
-        expect_radiance(render(scene, settings), scene.cameras[0], settings,
-                        [=](const ViewRay&) { return std::optional(e * sum); });
-    }
-}
-
-TEST_F(ExactAnswers, AFurnaceRoomWithoutRouletteHasNoVariance) {
-    // Every path is worth the same, unless one of them slips through an edge of the closed room.
-    SceneBuilder builder;
-    builder.room({-1, -1, -1}, {1, 1, 1}, builder.material(glowing_lambert({0.5f, 0.5f, 0.5f}, {1, 1, 1})));
-    builder.perspective({0.2f, 0.1f, 0.7f}, {-0.3f, -0.2f, -1}, 1);
-    RenderSettings settings = small_settings();
-    settings.strategy = "bsdf";
-    settings.max_bounces = 6;
-    settings.rr_depth = 100;
-    settings.width = settings.height = 64;
-    const Image image = render(builder.build(), settings);
-    const double right = 2 - std::pow(0.5, 7);
-    for (std::uint32_t y = 0; y < image.height; ++y)
-        for (std::uint32_t x = 0; x < image.width; ++x)
-            ASSERT_NEAR(pixel(image, "", x, y).x, right, 4e-6) << x << ", " << y;
 }
 
 } // namespace

@@ -24,6 +24,16 @@ class RenderTest : public GpuTest {
     }
 };
 
+// For each strategy's name.
+class RenderTestByStrategy : public RenderTest, public testing::WithParamInterface<const char*> {
+  protected:
+    static RenderSettings strategy_settings() {
+        RenderSettings settings = small_settings();
+        settings.strategy = GetParam();
+        return settings;
+    }
+};
+
 // The ray through a point of the image plane, in pixels from the top left corner, worked out in doubles.
 struct ViewRay {
     glm::dvec3 origin;

@@ -88,10 +88,34 @@ Scene many_lights() {
     return builder.build();
 }
 
+// Half transparent cards, one dithered by alpha and one cut out by a texture, between light and floor.
+Scene cards() {
+    SceneBuilder builder;
+    add_room(builder, {6, 5, 4});
+    Material veil = lambert({0.8f, 0.4f, 0.3f});
+    veil.base_color.a = 0.4f;
+    veil.alpha_mode = AlphaMode::blend;
+    veil.double_sided = true;
+    builder.square({-0.4f, 0.9f, 0}, {0, 1, 0}, 0.45f, builder.material(veil));
+    const std::vector<std::uint8_t> texels = {90, 170, 60, 255, 90, 170, 60, 0,
+                                              90, 170, 60, 60,  90, 170, 60, 255};
+    Material leaf = lambert({1, 1, 1});
+    leaf.base_color_texture.texture = builder.texture(2, 2, texels, TextureFilter::linear);
+    leaf.alpha_mode = AlphaMode::mask;
+    leaf.double_sided = true;
+    builder.quad({0.1f, 0.2f, 0}, {0.9f, 0.2f, 0.3f}, {0.9f, 1.1f, 0.3f}, {0.1f, 1.1f, 0},
+                 builder.material(leaf));
+    return builder.build();
+}
+
 constexpr SmallScene SCENES[] = {
-    {"DiffuseRoom", diffuse_room, true},       {"GlossyRoom", glossy_room, true},
-    {"MirrorRoom", mirror_room, false},        {"Sky", sky, true},
-    {"TexturedLights", textured_lights, true}, {"ManyLights", many_lights, true},
+    {"DiffuseRoom", diffuse_room, true},
+    {"GlossyRoom", glossy_room, true},
+    {"MirrorRoom", mirror_room, false},
+    {"Sky", sky, true},
+    {"TexturedLights", textured_lights, true},
+    {"ManyLights", many_lights, true},
+    {"Cards", cards, true},
 };
 
 } // namespace
