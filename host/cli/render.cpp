@@ -83,6 +83,7 @@ int run(RenderOptions& o) {
     o.device.on_validation = [&](std::string_view line) {
         display.warning(fmt::format("validation: {}", line));
     };
+    o.device.timestamps = !o.report.empty(); // nobody else looks at them
     const Device device(o.device);
     const SceneFile scene = load(o, display);
     display.stage("prepare");

@@ -70,7 +70,7 @@ Commands::Impl::Impl(const Device& device_in) : device(device_in), submitter(dev
 
 // Timestamp i is taken after dispatch i - 1; number 0 stands at the beginning.
 void Commands::Impl::stamp() {
-    if (!device.limits().timestamps) return;
+    if (!device.limits().timestamps || !device.options().timestamps) return;
     const std::uint32_t pool = stamp_count / STAMPS_PER_POOL;
     const std::uint32_t slot = stamp_count % STAMPS_PER_POOL;
     if (pool == queries.size()) {

@@ -36,6 +36,7 @@ struct DeviceOptions {
     bool force_pointers = false;      // read scene tables through pointers even where texel buffers would do
     bool force_staging = false;       // transfers as on a GPU whose memory the host can't see
     std::uint32_t workgroup_size = 0; // 0: chosen by device; Error when it allows fewer
+    bool timestamps = true;           // time each kernel; on lavapipe the threads meet at every timestamp
 };
 
 // What the rest of the house may ask of a device.
