@@ -68,8 +68,8 @@ TEST(Readme, ProgramBuildsOutsideTheTreeAndRenders) {
                "cmake_minimum_required(VERSION 3.22)\nproject(outside CXX)\n"
                "set(CMAKE_CXX_EXTENSIONS OFF)\nadd_executable(program program.cpp)\n" +
                    code_block(readme(), "cmake"));
-    expect_success({AJAR_CMAKE, "-S", project.string(), "-B", build.string(),
-                    "-DCMAKE_PREFIX_PATH=" + prefix.string(),
+    expect_success({AJAR_CMAKE, "-S", project.string(), "-B", build.string(), "-G", AJAR_GENERATOR,
+                    "-DCMAKE_CXX_COMPILER=" AJAR_COMPILER, "-DCMAKE_PREFIX_PATH=" + prefix.string(),
                     "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wshadow -Wconversion -Werror " AJAR_SANITIZER_FLAGS});
     expect_success({AJAR_CMAKE, "--build", build.string()});
 
