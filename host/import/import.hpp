@@ -14,13 +14,14 @@
 
 namespace ajar {
 
-// What a file may cost, so that a hostile one ends in an Error and not in gigabytes. The first three are
+// What a file may cost, so that a hostile one ends in an Error and not in gigabytes. The first four are
 // ceilings; below them, what is decoded may also be at most `decoded_slack_bytes` plus `decoded_ratio` times
 // the bytes read.
 struct ImportLimits {
     std::uint64_t max_file_bytes = std::uint64_t{16} << 30;    // of each file
     std::uint64_t max_decoded_bytes = std::uint64_t{64} << 30; // geometry and images together
     std::uint64_t max_triangles = 500'000'000;
+    std::uint64_t max_nodes = 2'000'000;
     std::uint64_t decoded_slack_bytes = std::uint64_t{512} << 20;
     std::uint64_t decoded_ratio = 256;
 };

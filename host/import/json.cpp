@@ -14,7 +14,7 @@ using nlohmann::json;
 namespace {
 
 constexpr int MAX_DEPTH = 256;
-constexpr std::size_t MAX_VALUES = 10'000'000; // about a gigabyte as nlohmann keeps them
+constexpr std::size_t MAX_VALUES = 6'000'000; // about half a gigabyte as nlohmann keeps them
 
 std::string_view type_name(const json& value) {
     switch (value.type()) {
@@ -70,17 +70,33 @@ json parse_json(std::span<const std::byte> bytes, const std::string& file) {
     }
 }
 
-JsonObject::JsonObject(const json& value, std::string where) : value_(&value), where_(std::move(where)) {
-    if (!value.is_object())
-        throw Error(fmt::format("{}: must be an object, is {}", where_, type_name(value)));
+JsonObject::JsonObject(const json& value, std::string where)
+    : value_(&value), where_(std::make_shared<std::string>(std::move(where))) {
+    check_type();
+}
+
+JsonObject::JsonObject(const json& value, std::shared_ptr<const std::string> array, std::int64_t index)
+    : value_(&value), where_(std::move(array)), index_(index) {
+    check_type();
+}
+
+void JsonObject::check_type() const {
+    if (!value_->is_object())
+        throw Error(fmt::format("{}: must be an object, is {}", where(), type_name(*value_)));
+}
+
+std::string JsonObject::where() const {
+    return index_ < 0 ? *where_ : fmt::format("{}[{}]", *where_, index_);
 }
 
 std::string JsonObject::path(std::string_view key) const {
-    return fmt::format("{}{}{}", where_, where_.ends_with(": ") ? "" : ".", key);
+    const std::string begin = where();
+    return fmt::format("{}{}{}", begin, begin.ends_with(": ") ? "" : ".", key);
 }
 
 void JsonObject::fail(std::string_view key, std::string_view message) const {
-    if (key.empty()) throw Error(fmt::format("{}{}{}", where_, where_.ends_with(": ") ? "" : ": ", message));
+    const std::string begin = where();
+    if (key.empty()) throw Error(fmt::format("{}{}{}", begin, begin.ends_with(": ") ? "" : ": ", message));
     throw Error(fmt::format("{}: {}", path(key), message));
 }
 
@@ -211,8 +227,9 @@ std::vector<JsonObject> JsonObject::objects(std::string_view key) const {
     const json* array = find_array(key);
     if (!array) return result;
     result.reserve(array->size());
-    const std::string prefix = path(key);
-    for (const json& value : *array) result.emplace_back(value, fmt::format("{}[{}]", prefix, result.size()));
+    const auto shared_path = std::make_shared<const std::string>(path(key));
+    for (const json& value : *array)
+        result.push_back(JsonObject(value, shared_path, static_cast<std::int64_t>(result.size())));
     return result;
 }
 

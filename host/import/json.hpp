@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -19,7 +20,6 @@ class JsonObject {
     // Throws Error when `value` is not an object.
     JsonObject(const nlohmann::json& value, std::string where);
 
-    const std::string& where() const { return where_; }
     bool has(std::string_view key) const;
     std::vector<std::string> keys() const;
 
@@ -55,8 +55,14 @@ class JsonObject {
     std::uint32_t to_index(const nlohmann::json& value, std::string_view key, std::size_t count,
                            std::string_view what) const;
 
+    // An element of an array. The path is put together only to complain: millions of nodes share one.
+    JsonObject(const nlohmann::json& value, std::shared_ptr<const std::string> array, std::int64_t index);
+    void check_type() const;
+    std::string where() const;
+
     const nlohmann::json* value_;
-    std::string where_;
+    std::shared_ptr<const std::string> where_; // of the array, where index_ is not negative
+    std::int64_t index_ = -1;
 };
 
 // Parses text of bounded depth and bounded number of values, as a small file of brackets can fill the memory.

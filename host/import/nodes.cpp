@@ -44,6 +44,9 @@ bool is_finite(const glm::mat4& m) {
 } // namespace
 
 Nodes::Nodes(Document& document) : objects_(document.root().objects("nodes")) {
+    if (count() > document.options().limits.max_nodes)
+        document.root().fail("nodes", fmt::format("there are {}, more than {} (the limit)", count(),
+                                                  document.options().limits.max_nodes));
     link();
     place(document);
     collect(choose_scene(document));

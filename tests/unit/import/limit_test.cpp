@@ -65,9 +65,17 @@ TEST(GltfLimits, HoldForTheNumberOfTriangles) {
     EXPECT_EQ(import_error(b, options), "");
 }
 
+TEST(GltfLimits, HoldForTheNumberOfNodes) {
+    ImportOptions options;
+    options.limits.max_nodes = 2;
+    GltfBuilder b = triangle();
+    b.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}}, {{"mesh", 0}}};
+    EXPECT_NE(import_error(b, options).find("nodes: there are 3"), std::string::npos);
+}
+
 TEST(GltfLimits, HoldForTheNumberOfJsonValues) {
     std::string text = R"({"asset": {"version": "2.0"}, "extras": [)";
-    for (int i = 0; i < 11'000'000; ++i) text += "0,";
+    for (int i = 0; i < 6'000'001; ++i) text += "0,";
     text += "0]}";
     EXPECT_NE(import_error(std::as_bytes(std::span(text))).find("values"), std::string::npos);
 }
