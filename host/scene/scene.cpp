@@ -162,19 +162,20 @@ Camera framing_camera(const Scene& scene, float aspect) {
     const glm::vec3 back = glm::normalize(glm::vec3(0.45f, 0.35f, 1.0f)); // three-quarter view from the front
     const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), back));
     const glm::vec3 y = glm::cross(back, x);
-    // The nearest place along `back` from which every corner of the box lies within the middle 95 % of the view.
+    // The nearest place along `back` from which every corner of the box lies within the middle 95 % of the
+    // view.
     const float tan_y = 0.95f * std::tan(0.5f * camera.yfov);
     const float tan_x = tan_y * aspect;
     float distance = 1e-6f;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+        const glm::vec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                             (corner & 4) != 0 ? 1 : -1);
         const glm::vec3 p = sign * half_size;
         const float aside = std::max(std::abs(glm::dot(p, x)) / tan_x, std::abs(glm::dot(p, y)) / tan_y);
         distance = std::max(distance, aside + glm::dot(p, back));
     }
     const glm::vec3 eye = center + distance * back;
-    camera.to_world =
-        glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(back, 0), glm::vec4(eye, 1));
+    camera.to_world = glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(back, 0), glm::vec4(eye, 1));
     return camera;
 }
 
