@@ -56,7 +56,7 @@ TEST_F(Scenes, TheCornellBoxHasItsLightInTheCeilingAndADarkCeilingAroundIt) {
     const Image direct = render(scene, settings);
     settings.max_bounces = 4;
     const Image reflected = render(scene, settings);
-    // The light's middle is seen at tan 0.2555 of tan 0.3571 above the axis: row 9. The ceiling in front: row 4.
+    // The middle of the light is seen at tan 0.2555 of tan 0.3571 above the axis: row 9. Before it, ceiling.
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(pixel(direct, "", 32, 9)[c], glm::dvec3(17, 12, 4)[c], 1e-4);
         EXPECT_EQ(pixel(direct, "", 32, 4)[c], 0);

@@ -1,3 +1,4 @@
+// Alias tables pick with exactly the probability they state.
 #include "render/alias_table.hpp"
 
 #include <cmath>

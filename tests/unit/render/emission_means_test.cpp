@@ -1,3 +1,4 @@
+// Mean emission of textured triangles against sums over their texels.
 #include "render/emission_means.hpp"
 
 #include <cmath>

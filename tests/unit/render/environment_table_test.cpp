@@ -1,3 +1,4 @@
+// Environment tables: densities that integrate to one and follow the bilinear lookup.
 #include "base/error.hpp"
 #include "render/alias_table.hpp"
 #include "render/environment_table.hpp"

@@ -1,3 +1,4 @@
+// Light records, their powers and their order.
 #include "render/emission_means.hpp"
 #include "render/light_table.hpp"
 #include "shaders/shared/specialization.glsl.h"
