@@ -20,7 +20,6 @@ libcli11-dev              the command line
 nlohmann-json3-dev        reports and information for machines
 libtbb-dev                threads
 libxxhash-dev             content hashes
-libtinygltf-dev           reads glTF
 libdraco-dev              reads Draco-compressed meshes
 libmeshoptimizer-dev      reads meshopt-compressed meshes
 libopenimageio-dev        reads and writes images

@@ -119,7 +119,7 @@ TEST(Setup, WithoutAptItNamesThePackagesAndStops) {
         const Result result =
             run({"/bin/sh", (fs::path(AJAR_SOURCE_DIR) / "cmake" / script).string()}, elsewhere);
         EXPECT_EQ(result.exit_code, 1) << result.out;
-        for (const char* package : {"cmake", "libvulkan-dev", "libtinygltf-dev", "libopenimageio-dev"})
+        for (const char* package : {"cmake", "libvulkan-dev", "libdraco-dev", "libopenimageio-dev"})
             EXPECT_NE(result.err.find(package), std::string::npos) << package << "\n" << result.err;
     }
 }
