@@ -16,7 +16,8 @@ constexpr std::uint32_t FEW_ITEMS = 64;
 constexpr std::uint32_t PARALLEL_SUBTREE = 2048; // items worth a task of their own
 constexpr std::uint32_t PARALLEL_BINNING = 1u << 16;
 constexpr std::uint32_t BINNING_GRAIN = 1u << 14;
-// A split is taken only while halving could still finish above this depth, so that no input makes a deep tree.
+// A split is taken only while halving could still finish above this depth, so that no input makes a deep
+// tree.
 constexpr std::uint32_t MAX_BINARY_DEPTH = 60;
 
 // A box to sort, its index in the fourth float.
@@ -46,7 +47,8 @@ struct Binning {
     float lower[3];
     float scale[3]; // 0: all centres coincide on that axis
 
-    Binning(const Box& centers, std::uint32_t items) : count(std::min(items <= FEW_ITEMS ? FEW_BINS : MAX_BINS, 4 + items / 16)) {
+    Binning(const Box& centers, std::uint32_t items)
+        : count(std::min(items <= FEW_ITEMS ? FEW_BINS : MAX_BINS, 4 + items / 16)) {
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = centers.upper[axis] - centers.lower[axis];
             const float s = float(count) * 0.9999f / extent;
@@ -120,12 +122,13 @@ class Builder {
     Builder(std::span<const Box> boxes, SplitRule rule) : rule_(rule), items_(boxes.size()) {
         tree_.nodes.resize(2 * boxes.size() - 1);
         tree_.order.resize(boxes.size());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), BINNING_GRAIN), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                items_[i].box = boxes[i];
-                items_[i].box.lower[3] = std::bit_cast<float>(std::uint32_t(i));
-            }
-        });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), BINNING_GRAIN),
+                          [&](const auto& range) {
+                              for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                                  items_[i].box = boxes[i];
+                                  items_[i].box.lower[3] = std::bit_cast<float>(std::uint32_t(i));
+                              }
+                          });
     }
 
     BinaryTree build() {
@@ -134,7 +137,8 @@ class Builder {
     }
 
   private:
-    void build_subtree(std::uint32_t node_index, std::uint32_t first, std::uint32_t count, std::uint32_t depth) {
+    void build_subtree(std::uint32_t node_index, std::uint32_t first, std::uint32_t count,
+                       std::uint32_t depth) {
         const std::span<Item> items(items_.data() + first, count);
         BinaryNode& node = tree_.nodes[node_index];
         node.first = first;
@@ -149,7 +153,9 @@ class Builder {
         const std::uint32_t left = split(items, extent, depth);
         node.right = node_index + 2 * left;
         const auto build_left = [&, this] { build_subtree(node_index + 1, first, left, depth + 1); };
-        const auto build_right = [&, this] { build_subtree(node.right, first + left, count - left, depth + 1); };
+        const auto build_right = [&, this] {
+            build_subtree(node.right, first + left, count - left, depth + 1);
+        };
         if (count >= PARALLEL_SUBTREE) {
             tbb::parallel_invoke(build_left, build_right);
         } else {
@@ -202,7 +208,8 @@ class Builder {
         return std::uint32_t(half);
     }
 
-    template <std::uint32_t CAPACITY> static Bins<CAPACITY> fill(const Binning& binning, std::span<const Item> items) {
+    template <std::uint32_t CAPACITY>
+    static Bins<CAPACITY> fill(const Binning& binning, std::span<const Item> items) {
         if (items.size() < PARALLEL_BINNING) {
             Bins<CAPACITY> bins;
             bins.add(binning, items);
@@ -227,6 +234,8 @@ class Builder {
 
 } // namespace
 
-BinaryTree build_binary_tree(std::span<const Box> boxes, SplitRule rule) { return Builder(boxes, rule).build(); }
+BinaryTree build_binary_tree(std::span<const Box> boxes, SplitRule rule) {
+    return Builder(boxes, rule).build();
+}
 
 } // namespace ajar::bvh

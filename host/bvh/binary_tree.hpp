@@ -8,8 +8,9 @@
 
 namespace ajar::bvh {
 
-// A node over items [first, first + count) of BinaryTree::order. The left child of node i is i + 1, the right one is
-// i + 2 * (items on the left): a place that depends on nothing but the splits, so threads need not agree on any.
+// A node over items [first, first + count) of BinaryTree::order. The left child of node i is i + 1, the right
+// one is i + 2 * (items on the left): a place that depends on nothing but the splits, so threads need not
+// agree on any.
 struct BinaryNode {
     Box box;
     std::uint32_t first = 0;
@@ -24,7 +25,8 @@ struct BinaryTree {
 
 enum class SplitRule { surface_area, median };
 
-// At least one box. `median` halves the items by number, which bounds the depth; it serves inputs that drive SAH too deep.
+// At least one box. `median` halves the items by number, which bounds the depth; it serves inputs that drive
+// SAH too deep.
 BinaryTree build_binary_tree(std::span<const Box> boxes, SplitRule rule);
 
 } // namespace ajar::bvh

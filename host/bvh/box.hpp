@@ -1,4 +1,5 @@
-// Axis-aligned boxes as the builder uses them: four floats a corner, so that compilers keep them in one register.
+// Axis-aligned boxes as the builder uses them: four floats a corner, so that compilers keep them in one
+// register.
 #pragma once
 
 #include <algorithm>

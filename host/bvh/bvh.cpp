@@ -29,8 +29,9 @@ Bvh build_over_boxes(std::span<const Box> boxes, const BuildOptions& options) {
         if (bvh.stats.depth <= shared::BVH_MAX_DEPTH) break;
     }
     if (bvh.nodes.size() > shared::BVH_MAX_NODES)
-        throw Error(fmt::format("scene: hierarchy: {} nodes, but at most {} can be addressed (use fewer triangles)",
-                                bvh.nodes.size(), shared::BVH_MAX_NODES));
+        throw Error(
+            fmt::format("scene: hierarchy: {} nodes, but at most {} can be addressed (use fewer triangles)",
+                        bvh.nodes.size(), shared::BVH_MAX_NODES));
     return bvh;
 }
 
@@ -42,7 +43,8 @@ std::vector<Box> triangle_boxes(std::span<const Triangle> triangles) {
     return boxes;
 }
 
-// World-space box of a placed hierarchy: the corners of its root's slots, widened by the rounding of the transform.
+// World-space box of a placed hierarchy: the corners of its root's slots, widened by the rounding of the
+// transform.
 Box place(const shared::BvhNode& root, const glm::vec4 (&to_world)[3]) {
     constexpr double ROUNDING = 1.0 / (1 << 20);
     Box placed;
@@ -80,7 +82,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 std::uint32_t append(SceneBvh& scene, const Bvh& bvh, std::uint32_t first_triangle) {
     const std::size_t base = scene.nodes.size();
     if (base + bvh.nodes.size() > shared::BVH_MAX_NODES)
-        throw Error(fmt::format("scene: hierarchy: more than {} nodes (use fewer triangles)", shared::BVH_MAX_NODES));
+        throw Error(
+            fmt::format("scene: hierarchy: more than {} nodes (use fewer triangles)", shared::BVH_MAX_NODES));
     for (shared::BvhNode node : bvh.nodes) {
         node.child_base += std::uint32_t(base);
         node.triangle_base += first_triangle;
@@ -101,8 +104,8 @@ Bvh build_bvh(std::span<const Triangle> triangles, const BuildOptions& options) 
     return bvh;
 }
 
-SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes, std::span<const Placement> placements,
-                         const BuildOptions& options) {
+SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
+                         std::span<const Placement> placements, const BuildOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     SceneBvh scene;
     std::uint32_t mesh_depth = 0;

@@ -1,6 +1,7 @@
-// Bounding volume hierarchies: triangles in, wide quantised nodes and a triangle order out. Pure functions, no GPU.
-// Binned SAH (Wald 2007) over a binary tree, collapsed to wide nodes by dynamic programming over SAH and quantised
-// as in Ylitie, Karras and Laine 2017. The same input gives the same bytes whatever the number of threads.
+// Bounding volume hierarchies: triangles in, wide quantised nodes and a triangle order out. Pure functions,
+// no GPU. Binned SAH (Wald 2007) over a binary tree, collapsed to wide nodes by dynamic programming over SAH
+// and quantised as in Ylitie, Karras and Laine 2017. The same input gives the same bytes whatever the number
+// of threads.
 #pragma once
 
 #include "shaders/shared/bvh.glsl.h"
@@ -55,15 +56,16 @@ struct MeshRange {
 // Hierarchies of several meshes in one table, and one over their placements. Indices in nodes are global.
 struct SceneBvh {
     std::vector<shared::BvhNode> nodes;
-    std::vector<std::uint32_t> order;            // leaf order of all meshes, one after the other; indices within a mesh
+    std::vector<std::uint32_t> order; // leaf order of all meshes, one after the other; indices within a mesh
     std::vector<MeshRange> meshes;
-    std::uint32_t root = 0;                      // of mesh 0; with placements: of the hierarchy over them
-    std::vector<std::uint32_t> placement_order;  // InstanceRecord 1 + k is placement placement_order[k]
-    BuildStats stats;                            // cost: mesh 0's; depth: of the deepest way through both levels
+    std::uint32_t root = 0;                     // of mesh 0; with placements: of the hierarchy over them
+    std::vector<std::uint32_t> placement_order; // InstanceRecord 1 + k is placement placement_order[k]
+    BuildStats stats; // cost: mesh 0's; depth: of the deepest way through both levels
 };
 
-// Mesh 0 is the world (instance 0, may be empty), traced without a transform; `placements` put the others around it.
-SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes, std::span<const Placement> placements,
-                         const BuildOptions& options = {});
+// Mesh 0 is the world (instance 0, may be empty), traced without a transform; `placements` put the others
+// around it.
+SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
+                         std::span<const Placement> placements, const BuildOptions& options = {});
 
 } // namespace ajar::bvh

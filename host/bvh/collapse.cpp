@@ -1,5 +1,5 @@
-// Optimal collapse of a binary tree: Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through
-// Compressed Wide BVHs", section 3.
+// Optimal collapse of a binary tree: Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on
+// GPUs Through Compressed Wide BVHs", section 3.
 #include "bvh/collapse.hpp"
 
 #include <tbb/parallel_invoke.h>
@@ -59,8 +59,10 @@ void Collapse::distribute(Choice& choice, std::uint32_t left, std::uint32_t righ
             const float cost = l.cost[k - 1] + r.cost[i - k - 1];
             if (cost < best || k == 1) best = cost, choice.left[i] = std::uint8_t(k);
         }
-        if (i <= FOREST) choice.cost[i - 1] = best;
-        else choice.node_cost = best;
+        if (i <= FOREST)
+            choice.cost[i - 1] = best;
+        else
+            choice.node_cost = best;
     }
 }
 

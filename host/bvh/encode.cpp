@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint32_t PARALLEL_SUBTREE = 4096;
 
-// In steps of the node's grid. The slab test computes (origin - o) / d + q * step / d with a few roundings, each at most
-// 2^-24 of the node's extent (256 steps): in all less than 2^-12 of a step. Errors in proportion to the distance are the
-// slab test's own business.
+// In steps of the node's grid. The slab test computes (origin - o) / d + q * step / d with a few roundings,
+// each at most 2^-24 of the node's extent (256 steps): in all less than 2^-12 of a step. Errors in proportion
+// to the distance are the slab test's own business.
 constexpr double MARGIN = 1.0 / 256;
 
 struct Grid {
@@ -45,7 +45,8 @@ void put_byte(std::uint32_t* words, std::uint32_t slot, double value) {
 
 std::uint32_t bits_of(const WideChildren& children, ChildKind kind) {
     std::uint32_t bits = 0;
-    for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) bits |= std::uint32_t(children[slot].kind == kind) << slot;
+    for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot)
+        bits |= std::uint32_t(children[slot].kind == kind) << slot;
     return bits;
 }
 
@@ -78,8 +79,9 @@ class Encoder {
     std::uint32_t count_below(std::uint32_t node, std::uint32_t depth) {
         const WideChildren children = collapse_.children(node);
         std::uint32_t counts[shared::BVH_WIDTH] = {};
-        each_inner(children, tree_.nodes[node].count,
-                   [&](std::uint32_t slot) { counts[slot] = 1 + count_below(children[slot].node, depth + 1); });
+        each_inner(children, tree_.nodes[node].count, [&](std::uint32_t slot) {
+            counts[slot] = 1 + count_below(children[slot].node, depth + 1);
+        });
         std::uint32_t deepest = depth_;
         while (deepest < depth && !depth_.compare_exchange_weak(deepest, depth)) {}
         return below_[node] = std::accumulate(std::begin(counts), std::end(counts), 0u);
@@ -150,7 +152,9 @@ class Encoder {
 
 } // namespace
 
-void encode(const BinaryTree& tree, const Collapse& collapse, Bvh& bvh) { Encoder(tree, collapse, bvh).run(); }
+void encode(const BinaryTree& tree, const Collapse& collapse, Bvh& bvh) {
+    Encoder(tree, collapse, bvh).run();
+}
 
 Box decode_slot(const shared::BvhNode& node, std::uint32_t slot) {
     const std::uint32_t* lower[3] = {node.lower_x, node.lower_y, node.lower_z};

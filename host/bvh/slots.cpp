@@ -1,5 +1,5 @@
-// Slot assignment: Ylitie, Karras and Laine 2017, section 3.2 (here greedy, then improved by exchanges, instead of the
-// auction: within a percent of it and simpler).
+// Slot assignment: Ylitie, Karras and Laine 2017, section 3.2 (here greedy, then improved by exchanges,
+// instead of the auction: within a percent of it and simpler).
 #include "bvh/slots.hpp"
 
 namespace ajar::bvh {
@@ -43,7 +43,8 @@ Assignment assign_greedily(const Gains& gains) {
             for (std::uint32_t s = 0; s < WIDTH; ++s) {
                 const bool free = (free_children >> c & 1) != 0 && (free_slots >> s & 1) != 0;
                 // An empty child has no gain anywhere: it takes what the others leave.
-                if (free && (gains[c][s] > best || best == -INFINITY)) best = gains[c][s], child = c, slot = s;
+                if (free && (gains[c][s] > best || best == -INFINITY))
+                    best = gains[c][s], child = c, slot = s;
             }
         }
         slots[child] = slot;

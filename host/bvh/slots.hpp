@@ -1,4 +1,5 @@
-// Which child sits in which slot of a wide node, so that slot ^ octant of a direction goes roughly front to back.
+// Which child sits in which slot of a wide node, so that slot ^ octant of a direction goes roughly front to
+// back.
 #pragma once
 
 #include "bvh/collapse.hpp"

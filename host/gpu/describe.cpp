@@ -49,7 +49,8 @@ void check_limits(const vk::PhysicalDeviceLimits& limits, std::vector<std::strin
     need(limits.maxPerStageDescriptorStorageBuffers, STORAGE_BINDINGS, "maxPerStageDescriptorStorageBuffers");
     need(limits.maxPerStageDescriptorSampledImages, shared::TEXEL_BINDING_COUNT,
          "maxPerStageDescriptorSampledImages");
-    need(limits.maxPerStageResources, STORAGE_BINDINGS + shared::TEXEL_BINDING_COUNT + 1, "maxPerStageResources");
+    need(limits.maxPerStageResources, STORAGE_BINDINGS + shared::TEXEL_BINDING_COUNT + 1,
+         "maxPerStageResources");
     need(limits.maxPushConstantsSize, PUSH_CONSTANT_BYTES, "maxPushConstantsSize");
 }
 

@@ -11,7 +11,8 @@ namespace ajar {
 Camera choose_camera(const Scene& scene, const RenderSettings& settings) {
     if (settings.camera.empty()) {
         if (scene.camera < scene.cameras.size()) return scene.cameras[scene.camera];
-        return framing_camera(scene, static_cast<float>(settings.width) / static_cast<float>(settings.height));
+        return framing_camera(scene,
+                              static_cast<float>(settings.width) / static_cast<float>(settings.height));
     }
     std::string known;
     for (const Camera& camera : scene.cameras) {
@@ -22,12 +23,14 @@ Camera choose_camera(const Scene& scene, const RenderSettings& settings) {
     const char* end = settings.camera.data() + settings.camera.size();
     const auto [rest, code] = std::from_chars(settings.camera.data(), end, index);
     if (code == std::errc() && rest == end && index < scene.cameras.size()) return scene.cameras[index];
-    throw Error(fmt::format("camera '{}': the scene has {}{}", settings.camera,
-                            scene.cameras.empty() ? "no camera" : "cameras 0 to ",
-                            scene.cameras.empty() ? "" : fmt::format("{}: {}", scene.cameras.size() - 1, known)));
+    throw Error(
+        fmt::format("camera '{}': the scene has {}{}", settings.camera,
+                    scene.cameras.empty() ? "no camera" : "cameras 0 to ",
+                    scene.cameras.empty() ? "" : fmt::format("{}: {}", scene.cameras.size() - 1, known)));
 }
 
-void place_camera(const Camera& camera, std::uint32_t width, std::uint32_t height, shared::FrameRecord& frame) {
+void place_camera(const Camera& camera, std::uint32_t width, std::uint32_t height,
+                  shared::FrameRecord& frame) {
     const glm::mat4& m = camera.to_world;
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const bool perspective = camera.kind == CameraKind::perspective;

@@ -11,7 +11,9 @@ namespace ajar {
 // Throws Error listing the cameras when there is no such one.
 Camera choose_camera(const Scene& scene, const RenderSettings& settings);
 
-// Sets the FrameRecord's camera fields for an image of that size. yfov and ymag hold, the width decides the rest.
-void place_camera(const Camera& camera, std::uint32_t width, std::uint32_t height, shared::FrameRecord& frame);
+// Sets the FrameRecord's camera fields for an image of that size. yfov and ymag hold, the width decides the
+// rest.
+void place_camera(const Camera& camera, std::uint32_t width, std::uint32_t height,
+                  shared::FrameRecord& frame);
 
 } // namespace ajar

@@ -15,7 +15,8 @@ namespace ajar {
 namespace {
 
 constexpr IntegratorRow INTEGRATORS[] = {
-    {{"path", "path tracing with direct lighting: shadow rays and multiple importance sampling"}, make_path_integrator},
+    {{"path", "path tracing with direct lighting: shadow rays and multiple importance sampling"},
+     make_path_integrator},
     {{"naive", "path tracing without shadow rays: lights are found by chance"}, make_naive_integrator},
     {{"normals", "shading normals as colours"}, make_normals_integrator},
     {{"albedo", "reflectance of what the camera sees"}, make_albedo_integrator},
@@ -55,7 +56,8 @@ constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
 
-template <class Row> const Row& find(std::span<const Row> rows, std::string_view what, std::string_view name) {
+template <class Row>
+const Row& find(std::span<const Row> rows, std::string_view what, std::string_view name) {
     std::string known;
     for (const Row& row : rows) {
         if (row.choice.name == name) return row;

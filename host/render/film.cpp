@@ -26,15 +26,18 @@ std::uint64_t spread(std::uint64_t x) {
     return (x | (x << 1)) & 0x5555555555555555ull;
 }
 
-// Fixed-point sums as numbers. long double keeps the 64 bits of a sum, so that constant pixels get variance zero.
+// Fixed-point sums as numbers. long double keeps the 64 bits of a sum, so that constant pixels get variance
+// zero.
 long double radiance_sum(const FilmPixel& p, int channel) {
-    return std::ldexp(std::ldexp(static_cast<long double>(p.sum[2 * channel + 1]), 32) + p.sum[2 * channel], -28);
+    return std::ldexp(std::ldexp(static_cast<long double>(p.sum[2 * channel + 1]), 32) + p.sum[2 * channel],
+                      -28);
 }
 
 long double square_sum(const FilmPixel& p, int channel) {
     const std::uint32_t* w = p.square + 3 * channel;
     return std::ldexp(std::ldexp(static_cast<long double>(w[2]), 64) +
-                          std::ldexp(static_cast<long double>(w[1]), 32) + w[0], -44);
+                          std::ldexp(static_cast<long double>(w[1]), 32) + w[0],
+                      -44);
 }
 
 double aov_sum(const AovPixel& p, std::uint32_t channel) {

@@ -1,4 +1,5 @@
-// The film on the device: exact fixed-point sums per pixel, in chunks that a device can bind, and its way to an Image.
+// The film on the device: exact fixed-point sums per pixel, in chunks that a device can bind, and its way to
+// an Image.
 #pragma once
 
 #include "gpu/buffer.hpp"
@@ -25,8 +26,9 @@ class Film {
     const gpu::Buffer& aovs() const { return aov_buffer_; }
     std::uint64_t device_bytes() const;
 
-    // Layers "" (mean radiance; A = 1) and "variance" (of the mean; of a pixel with one sample: its square), "samples",
-    // and the first-hit layers where the film has them. Pixels without samples are black with A = 0.
+    // Layers "" (mean radiance; A = 1) and "variance" (of the mean; of a pixel with one sample: its square),
+    // "samples", and the first-hit layers where the film has them. Pixels without samples are black with A =
+    // 0.
     Image resolve() const;
 
   private:

@@ -1,4 +1,5 @@
-// Integrators that look at camera rays' hits alone: normals, albedo, ao. Examples of what an integrator needs.
+// Integrators that look at camera rays' hits alone: normals, albedo, ao. Examples of what an integrator
+// needs.
 #include "render/integrator.hpp"
 #include "shaders/kernels/albedo.glsl.h"
 #include "shaders/kernels/ao.glsl.h"

@@ -22,7 +22,8 @@ struct Part {
 
 bool emits(const Scene& scene, const Mesh& mesh) {
     for (const std::uint32_t material : mesh.triangle_materials)
-        if (scene.materials[material].emission != glm::vec3(0) && !scene.materials[material].unlit) return true;
+        if (scene.materials[material].emission != glm::vec3(0) && !scene.materials[material].unlit)
+            return true;
     return false;
 }
 
@@ -37,7 +38,8 @@ std::vector<bool> choose_baked(const Scene& scene, const GeometryOptions& option
     std::vector<bool> baked(scene.instances.size());
     for (std::size_t i = 0; i < baked.size(); ++i) {
         const std::uint32_t mesh = scene.instances[i].mesh;
-        baked[i] = total <= options.bake_below_triangles || uses[mesh] == 1 || emits(scene, scene.meshes[mesh]);
+        baked[i] =
+            total <= options.bake_below_triangles || uses[mesh] == 1 || emits(scene, scene.meshes[mesh]);
     }
     return baked;
 }
@@ -54,7 +56,8 @@ void append(Part& part, const Scene& scene, std::uint32_t instance, const glm::m
     tbb::parallel_for(std::size_t{0}, mesh.triangles.size(), [&](std::size_t t) {
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t vertex = mesh.triangles[t][flip && k != 0 ? 3 - k : k];
-            part.triangles[first + t].vertices[k] = glm::vec3(to_frame * glm::vec4(mesh.positions[vertex], 1));
+            part.triangles[first + t].vertices[k] =
+                glm::vec3(to_frame * glm::vec4(mesh.positions[vertex], 1));
         }
         part.sources[first + t] = {instance, static_cast<std::uint32_t>(t)};
     });
@@ -83,21 +86,24 @@ void fill_records(GeometryTable& table, const Scene& scene, const GeometryOption
     table.surfaces.resize(count * table.surface_words);
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const bvh::MeshRange& range = table.bvh.meshes[p];
-        tbb::parallel_for(range.first_triangle, range.first_triangle + range.triangle_count, [&](std::uint32_t k) {
-            const std::uint32_t from = table.bvh.order[k];
-            const TriangleSource source = parts[p].sources[from];
-            const Instance& instance = scene.instances[source.instance];
-            const Mesh& mesh = scene.meshes[instance.mesh];
-            const std::uint32_t material = mesh.triangle_materials[source.triangle];
-            const bvh::Triangle& vertices = parts[p].triangles[from];
-            const bool alpha = needs_alpha_test(scene.materials[material], options.cull_backfaces);
-            table.triangles[k] = {vertices.vertices[0], alpha ? TRIANGLE_ALPHA : 0u, vertices.vertices[1],
-                                  material, vertices.vertices[2], source.instance};
-            table.sources[k] = source;
-            const glm::mat4 to_frame = p == 0 ? instance.to_world : glm::mat4(1);
-            write_surface_words(mesh, source.triangle, to_frame, source.instance, options.extended_surfaces,
-                                &table.surfaces[std::size_t{k} * table.surface_words]);
-        });
+        tbb::parallel_for(
+            range.first_triangle, range.first_triangle + range.triangle_count, [&](std::uint32_t k) {
+                const std::uint32_t from = table.bvh.order[k];
+                const TriangleSource source = parts[p].sources[from];
+                const Instance& instance = scene.instances[source.instance];
+                const Mesh& mesh = scene.meshes[instance.mesh];
+                const std::uint32_t material = mesh.triangle_materials[source.triangle];
+                const bvh::Triangle& vertices = parts[p].triangles[from];
+                const bool alpha = needs_alpha_test(scene.materials[material], options.cull_backfaces);
+                table.triangles[k] = {vertices.vertices[0], alpha ? TRIANGLE_ALPHA : 0u,
+                                      vertices.vertices[1], material,
+                                      vertices.vertices[2], source.instance};
+                table.sources[k] = source;
+                const glm::mat4 to_frame = p == 0 ? instance.to_world : glm::mat4(1);
+                write_surface_words(mesh, source.triangle, to_frame, source.instance,
+                                    options.extended_surfaces,
+                                    &table.surfaces[std::size_t{k} * table.surface_words]);
+            });
     }
     for (const TriangleRecord& t : table.triangles) table.has_alpha |= (t.flags & TRIANGLE_ALPHA) != 0;
 }
@@ -113,7 +119,8 @@ GeometryTable build_geometry_table(const Scene& scene, const GeometryOptions& op
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
         if (scene.meshes[instance.mesh].triangles.empty()) continue;
-        // A transform that flattens the mesh cannot be undone: such an instance is baked, its triangles have no area.
+        // A transform that flattens the mesh cannot be undone: such an instance is baked, its triangles have
+        // no area.
         if (baked[i] || glm::determinant(glm::mat3(instance.to_world)) == 0) {
             append(parts[0], scene, i, instance.to_world);
             continue;
@@ -137,8 +144,8 @@ GeometryTable build_geometry_table(const Scene& scene, const GeometryOptions& op
     table.instances.push_back(instance_record(glm::mat4(1), table.bvh.meshes[0].root, 0));
     for (const std::uint32_t p : table.bvh.placement_order) {
         const std::uint32_t i = placed_instances[p];
-        table.instances.push_back(instance_record(scene.instances[i].to_world,
-                                                  table.bvh.meshes[placements[p].mesh].root, i));
+        table.instances.push_back(
+            instance_record(scene.instances[i].to_world, table.bvh.meshes[placements[p].mesh].root, i));
     }
     return table;
 }

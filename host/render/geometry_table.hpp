@@ -1,4 +1,5 @@
-// Triangles, surfaces and instances as the device reads them: what is baked into the world and what stays instanced.
+// Triangles, surfaces and instances as the device reads them: what is baked into the world and what stays
+// instanced.
 #pragma once
 
 #include "bvh/bvh.hpp"
@@ -13,7 +14,8 @@ namespace ajar {
 struct GeometryOptions {
     bool cull_backfaces = false;
     bool extended_surfaces = false; // store second texture coordinates, tangents and vertex colours
-    // Meshes used more than once are baked as well while all triangles stay below this: one level is faster to trace.
+    // Meshes used more than once are baked as well while all triangles stay below this: one level is faster
+    // to trace.
     std::uint64_t bake_below_triangles = 1u << 20;
 };
 

@@ -1,9 +1,9 @@
 #include "render/gpu_scene.hpp"
 
+#include "render/emissive_triangles.hpp"
 #include "render/environment_table.hpp"
 #include "render/geometry_table.hpp"
 #include "render/light_table.hpp"
-#include "render/emissive_triangles.hpp"
 #include "render/material_table.hpp"
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
@@ -19,7 +19,8 @@ using namespace shared;
 namespace {
 
 // Never empty, and whole texels.
-template <class T> gpu::Buffer make_table(const gpu::Device& device, std::span<const T> values, const char* label) {
+template <class T>
+gpu::Buffer make_table(const gpu::Device& device, std::span<const T> values, const char* label) {
     gpu::Buffer buffer(device, std::max<std::uint64_t>((values.size_bytes() + 15) / 16 * 16, 16), label);
     if (!values.empty()) buffer.write(values);
     return buffer;
@@ -112,7 +113,9 @@ void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>
 }
 
 void GpuScene::upload(const gpu::Device& device, const Host& host) {
-    const auto at = [&](std::uint32_t binding) -> gpu::Buffer& { return tables_[binding - BIND_TABLE_FIRST]; };
+    const auto at = [&](std::uint32_t binding) -> gpu::Buffer& {
+        return tables_[binding - BIND_TABLE_FIRST];
+    };
     const GeometryTable& geometry = host.geometry;
     const std::vector<std::uint32_t> materials = material_words(host.materials);
     const std::vector<glm::uvec4> lights = host.lights.words();

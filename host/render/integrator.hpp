@@ -18,7 +18,8 @@ namespace ajar {
 struct IntegratorContext {
     const gpu::Device& device;
     const RenderSettings& settings;
-    gpu::Specialization specialization; // workgroup and segment size, tables, features, strategy, light sampler
+    gpu::Specialization
+        specialization; // workgroup and segment size, tables, features, strategy, light sampler
 
     // The same with SPEC_OPTION set.
     gpu::Specialization with_option(std::uint32_t option) const;

@@ -57,10 +57,12 @@ class Builder {
         const bool reflects = !m.unlit && (m.metallic != 0 || dielectric_reflects);
         if (reflects) table_.features |= FEATURE_SPECULAR;
         // A texture can take roughness down to zero; the lobe's own threshold is below 0.1.
-        if (reflects && (m.roughness < 0.1f || m.metallic_roughness_texture.used())) table_.features |= FEATURE_DELTA;
+        if (reflects && (m.roughness < 0.1f || m.metallic_roughness_texture.used()))
+            table_.features |= FEATURE_DELTA;
         if (m.normal_texture.used()) table_.features |= FEATURE_NORMAL_MAPS;
         if (m.unlit) table_.features |= FEATURE_UNLIT;
-        if (m.emission_texture.used() && m.emission != glm::vec3(0)) table_.features |= FEATURE_EMISSION_TEXTURES;
+        if (m.emission_texture.used() && m.emission != glm::vec3(0))
+            table_.features |= FEATURE_EMISSION_TEXTURES;
         if (!table_.textures.empty()) table_.features |= FEATURE_TEXTURES;
     }
 
@@ -100,8 +102,9 @@ class Builder {
         const std::size_t first = table_.texels.size();
         const std::size_t count = std::size_t{image.width} * image.height;
         if (first + count > 0x7fffffffu)
-            throw Error(fmt::format("image {} '{}': all textures together have more than {} texels (shrink some)",
-                                    image_index, image.name, 0x7fffffffu));
+            throw Error(
+                fmt::format("image {} '{}': all textures together have more than {} texels (shrink some)",
+                            image_index, image.name, 0x7fffffffu));
         table_.texels.resize(first + count);
         std::memcpy(table_.texels.data() + first, image.rgba.data(), count * 4);
         return first_texel_[image_index] = static_cast<std::uint32_t>(first);

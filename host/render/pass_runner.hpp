@@ -1,5 +1,6 @@
-// Runs a pass's steps in slices, so that no submission keeps a slow device busy for seconds (watchdogs kill those).
-// How it slices depends on measured times, but never changes the image: segments do not know of each other.
+// Runs a pass's steps in slices, so that no submission keeps a slow device busy for seconds (watchdogs kill
+// those). How it slices depends on measured times, but never changes the image: segments do not know of each
+// other.
 #pragma once
 
 #include "gpu/commands.hpp"
@@ -15,8 +16,8 @@ class PassRunner {
   public:
     PassRunner(gpu::Commands& commands, const std::vector<Step>& steps, double slice_seconds);
 
-    // All steps over all segments of the pass (args.segment_count of them, from 0). `keep_going` is asked between
-    // submissions; false abandons the pass and is returned.
+    // All steps over all segments of the pass (args.segment_count of them, from 0). `keep_going` is asked
+    // between submissions; false abandons the pass and is returned.
     bool run(const shared::SegmentArgs& args, const std::function<bool()>& keep_going);
 
   private:

@@ -16,8 +16,7 @@ using namespace shared;
 class PathIntegrator : public Integrator {
   public:
     explicit PathIntegrator(const IntegratorContext& context)
-        : last_bounce_(context.settings.max_bounces + 1),
-          connects_(context.settings.strategy != "bsdf"),
+        : last_bounce_(context.settings.max_bounces + 1), connects_(context.settings.strategy != "bsdf"),
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
           shade_(context.device, "shade", context.specialization),
@@ -47,8 +46,9 @@ class NaiveIntegrator : public Integrator {
         : last_bounce_(context.settings.max_bounces + 1),
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
-          naive_(context.device, "naive",
-                 context.with_option(context.settings.naive_sampling == "cosine" ? NAIVE_COSINE : NAIVE_BSDF)) {}
+          naive_(
+              context.device, "naive",
+              context.with_option(context.settings.naive_sampling == "cosine" ? NAIVE_COSINE : NAIVE_BSDF)) {}
 
     void add_steps(Steps& steps) const override {
         for (std::uint32_t bounce = 0; bounce <= last_bounce_; ++bounce) {

@@ -37,8 +37,10 @@ PathPool::PathPool(const gpu::Device& device, const RenderSettings& settings, st
     segment_paths_ = settings.segment_paths != 0 ? settings.segment_paths : default_segment(device);
     if (!std::has_single_bit(segment_paths_) || segment_paths_ > MAX_SEGMENT_SIZE ||
         segment_paths_ % device.workgroup_size() != 0)
-        throw Error(fmt::format("{} paths per segment: must be a power of two, a multiple of the workgroup's {} "
-                                "threads and at most {}", segment_paths_, device.workgroup_size(), MAX_SEGMENT_SIZE));
+        throw Error(
+            fmt::format("{} paths per segment: must be a power of two, a multiple of the workgroup's {} "
+                        "threads and at most {}",
+                        segment_paths_, device.workgroup_size(), MAX_SEGMENT_SIZE));
     const std::uint64_t bindable = device.limits().max_storage_bytes / sizeof(PathState);
     std::uint64_t paths = settings.pool_paths != 0 ? settings.pool_paths : default_pool(device);
     paths = std::clamp<std::uint64_t>(std::min(paths, wanted_paths), 1, bindable);
@@ -66,7 +68,8 @@ void PathPool::bind(gpu::Bindings& bindings) const {
 }
 
 bool PathPool::read_by_texels(const gpu::Device& device) const {
-    return device.limits().is_cpu && gpu::Bindings::table_fits(device, BIND_PATHS_READ, path_buffer_.size_bytes());
+    return device.limits().is_cpu &&
+           gpu::Bindings::table_fits(device, BIND_PATHS_READ, path_buffer_.size_bytes());
 }
 
 PoolTotals PathPool::totals() const {

@@ -25,7 +25,8 @@ class PathPool {
     std::uint32_t segment_paths() const { return segment_paths_; } // a power of two
     std::uint64_t device_bytes() const;
     void bind(gpu::Bindings& bindings) const;
-    // Whether kernels should read paths through texel buffers: on lavapipe a storage buffer's load is a loop over lanes.
+    // Whether kernels should read paths through texel buffers: on lavapipe a storage buffer's load is a loop
+    // over lanes.
     bool read_by_texels(const gpu::Device& device) const;
 
     // Sums of the segments' counters since the pool was made.

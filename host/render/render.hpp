@@ -45,8 +45,10 @@ struct RenderStats {
 };
 
 struct RenderOutput {
-    Image image; // layer "" (R, G, B, A), "variance", and with aovs "albedo" "normal" "position" "depth" "emission"
-                 // "object_id" "material_id" "samples"
+    Image
+        // Layer "" (R, G, B, A), "variance", and with aovs "albedo" "normal" "position" "depth" "emission"
+        image;
+               // "object_id" "material_id" "samples"
     RenderStats stats;
 };
 
@@ -59,7 +61,8 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // progress: stage "render", in samples per pixel; return false to stop. Throws Error (unknown names, device lost).
+    // progress: stage "render", in samples per pixel; return false to stop. Throws Error (unknown names,
+    // device lost).
     RenderOutput render(const RenderSettings& settings, const ProgressSink& progress = {});
 
   private:

@@ -29,7 +29,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 constexpr std::uint32_t MAX_SAMPLES_PER_PASS = 64; // a segment holds whole pixels: no more than its 64 paths
 
@@ -46,8 +48,9 @@ void check(const RenderSettings& s) {
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
 }
 
-// Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too, and eight at
-// least, so that neighbouring paths begin alike and a pixel's sums are fetched once for all of them.
+// Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too,
+// and eight at least, so that neighbouring paths begin alike and a pixel's sums are fetched once for all of
+// them.
 std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels) {
     const std::uint32_t fit = std::max(pool.paths() / chunk_pixels, 8u);
     return std::min({std::bit_floor(fit), MAX_SAMPLES_PER_PASS, pool.segment_paths()});
@@ -89,10 +92,11 @@ class RenderJob {
               const RenderSettings& settings)
         : device_(device), settings_(settings), camera_(choose_camera(scene, settings)),
           film_(device, settings.width, settings.height, settings.aovs),
-          pool_(device, settings, std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
+          pool_(device, settings,
+                std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
           bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
-          frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
-          context_{device, settings, specialization()},
+          frame_buffer_(device, sizeof(FrameRecord), "frame"),
+          gpu_scene_(gpu_scene), context_{device, settings, specialization()},
           generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
           accumulate_(device, "accumulate", context_.specialization),
           integrator_(find_integrator(settings.integrator).make(context_)) {
@@ -200,7 +204,8 @@ bool RenderJob::run_samples(PassRunner& runner, std::uint32_t done, std::uint32_
 
 RenderOutput RenderJob::run(const ProgressSink& progress) {
     const Clock::time_point start = Clock::now();
-    const std::uint32_t per_pass = samples_per_pass(pool_, std::min(film_.chunk_pixels(), film_.pixel_count()));
+    const std::uint32_t per_pass =
+        samples_per_pass(pool_, std::min(film_.chunk_pixels(), film_.pixel_count()));
     RenderOutput output;
     RenderStats& stats = output.stats;
     PassRunner runner(commands_, steps_.list(), settings_.slice_seconds);

@@ -42,8 +42,8 @@ SurfaceExtension extension_of(const Mesh& mesh, const glm::uvec3& v, const glm::
 
 } // namespace
 
-void write_surface_words(const Mesh& mesh, std::uint32_t triangle, const glm::mat4& to_frame, std::uint32_t object,
-                         bool extended, std::uint32_t* words) {
+void write_surface_words(const Mesh& mesh, std::uint32_t triangle, const glm::mat4& to_frame,
+                         std::uint32_t object, bool extended, std::uint32_t* words) {
     glm::uvec3 v = mesh.triangles[triangle];
     const glm::mat3 directions(to_frame);
     const bool flip = glm::determinant(directions) < 0;

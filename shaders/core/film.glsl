@@ -1,4 +1,5 @@
-// Adds to the film's fixed-point sums (film.glsl.h) without 64-bit integers. All splits are exact in floats: a float's
+// Adds to the film's fixed-point sums (film.glsl.h) without 64-bit integers. All splits are exact in floats:
+// a float's
 // 24 bits are cut at word borders by floor and subtraction of powers of two.
 #ifndef AJAR_FILM_GLSL
 #define AJAR_FILM_GLSL

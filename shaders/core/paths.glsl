@@ -1,6 +1,6 @@
 // What kernels write: path state, shadow rays, segment counters and path radiances (bindings.glsl.h).
-// Paths and shadow rays are read and written as whole 16-byte words: on lavapipe every load or store is a loop over the
-// lanes, and a store one over lanes and components.
+// Paths and shadow rays are read and written as whole 16-byte words: on lavapipe every load or store is a
+// loop over the lanes, and a store one over lanes and components.
 #ifndef AJAR_PATHS_GLSL
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
@@ -29,7 +29,8 @@ PathState path_load(uint slot) {
     uvec4 b = path_word(4u * slot + 1u);
     uvec4 c = path_word(4u * slot + 2u);
     uvec4 d = path_word(4u * slot + 3u);
-    return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
+    return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
+        uintBitsToFloat(c.xyz),
                      c.w, d.x, d.y, uintBitsToFloat(d.z), uintBitsToFloat(d.w));
 }
 
@@ -53,7 +54,8 @@ ShadowRay shadow_ray_load(uint slot) {
     uvec4 b = shadow_ray_word(4u * slot + 1u);
     uvec4 c = shadow_ray_word(4u * slot + 2u);
     uvec4 d = shadow_ray_word(4u * slot + 3u);
-    return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w), uintBitsToFloat(c.xyz),
+    return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
+        uintBitsToFloat(c.xyz),
                      c.w, d.x, d.y, d.z, d.w);
 }
 

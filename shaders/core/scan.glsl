@@ -1,6 +1,6 @@
-// Order-preserving compaction within a workgroup: every thread that keeps its item learns how many before it do.
-// AJAR_SUBGROUP: the workgroup is one subgroup of known size, so shuffles do (5 ns per 8 lanes on lavapipe); elsewhere
-// shared memory (11 ns) and no assumption about subgroups.
+// Order-preserving compaction within a workgroup: every thread that keeps its item learns how many before it
+// do. AJAR_SUBGROUP: the workgroup is one subgroup of known size, so shuffles do (5 ns per 8 lanes on
+// lavapipe); elsewhere shared memory (11 ns) and no assumption about subgroups.
 #ifndef AJAR_SCAN_GLSL
 #define AJAR_SCAN_GLSL
 
@@ -16,8 +16,8 @@ struct Scan {
     uint total;  // keepers in the workgroup
 };
 
-// All threads of the workgroup must call it, under uniform control flow. Reads before the call are done before any
-// thread's writes after it.
+// All threads of the workgroup must call it, under uniform control flow. Reads before the call are done
+// before any thread's writes after it.
 Scan scan_keepers(bool keep) {
     Scan scan;
 #ifdef AJAR_SUBGROUP

@@ -1,5 +1,5 @@
-// The one accessor of read-only scene tables: texel buffers where the device's limits allow (on lavapipe two to four
-// times faster), pointers elsewhere. Same values either way.
+// The one accessor of read-only scene tables: texel buffers where the device's limits allow (on lavapipe two
+// to four times faster), pointers elsewhere. Same values either way.
 #ifndef AJAR_TABLES_GLSL
 #define AJAR_TABLES_GLSL
 #include "../shared/bindings.glsl.h"
@@ -38,8 +38,8 @@ uvec4 fetch_material(uint i) {
 }
 vec4 fetch_texel(uint i) {
     if (TEXEL_BUFFERS != 0u) return texelFetch(texels_texels, int(i));
-    // Not unpackUnorm4x8, which divides by 255: lavapipe converts texel buffers by a product, and both ways must
-    // give the same bits. precise: else the compiler merges the factor with one that follows.
+    // Not unpackUnorm4x8, which divides by 255: lavapipe converts texel buffers by a product, and both ways
+    // must give the same bits. precise: else the compiler merges the factor with one that follows.
     const uint word = frame.texels.at[i].rgba8;
     precise vec4 texel = vec4(ivec4(uvec4(word, word >> 8, word >> 16, word >> 24) & 255u)) * (1.0 / 255.0);
     return texel;

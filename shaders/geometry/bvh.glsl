@@ -1,5 +1,6 @@
-// Closest hit and any hit of one ray per thread: the portable traversal. Every loop is bounded: lavapipe (Mesa 22.3) ends
-// all loops of an invocation after 65,535 iterations, silently; rays that run out here are counted.
+// Closest hit and any hit of one ray per thread: the portable traversal. Every loop is bounded: lavapipe
+// (Mesa 22.3) ends all loops of an invocation after 65,535 iterations, silently; rays that run out here are
+// counted.
 #ifndef AJAR_BVH_GLSL
 #define AJAR_BVH_GLSL
 #include "alpha.glsl"
@@ -64,7 +65,8 @@ BvhFrame bvh_instance_frame(BvhRay ray, uint instance, uint floor) {
     vec4 z = uintBitsToFloat(fetch_instance(base + 2u));
     vec4 o = vec4(ray.origin, 1.0);
     return bvh_frame(vec3(dot(x, o), dot(y, o), dot(z, o)),
-                     vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction)), instance, floor);
+                     vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction)),
+                         instance, floor);
 }
 
 uint bvh_root(uint instance) { return fetch_instance(instance * INSTANCE_TEXELS + 6u).x; }
@@ -72,7 +74,8 @@ uint bvh_root(uint instance) { return fetch_instance(instance * INSTANCE_TEXELS 
 // The group that holds nothing but a root.
 uint bvh_root_pending(uint octant) { return 1u << octant | 0x100u; }
 
-// Tries the lowest pending triangle. Equal distances go to the lower triangle, so no order of traversal shows.
+// Tries the lowest pending triangle. Equal distances go to the lower triangle, so no order of traversal
+// shows.
 void bvh_triangle(BvhRay ray, BvhFrame here, inout BvhCursor cursor, inout Hit hit) {
     uint instance = here.instance;
     uint bit = uint(findLSB(cursor.leaf_hits));
@@ -80,11 +83,13 @@ void bvh_triangle(BvhRay ray, BvhFrame here, inout BvhCursor cursor, inout Hit h
     cursor.leaf_hits &= cursor.leaf_hits - 1u;
     uint base = triangle * TRIANGLE_TEXELS;
     uvec4 a = fetch_triangle(base);
-    TriangleHit test = triangle_test(here.shear, uintBitsToFloat(a.xyz), uintBitsToFloat(fetch_triangle(base + 1u).xyz),
+    TriangleHit test = triangle_test(here.shear, uintBitsToFloat(a.xyz),
+        uintBitsToFloat(fetch_triangle(base + 1u).xyz),
                                      uintBitsToFloat(fetch_triangle(base + 2u).xyz));
     bool same_instance = !has_feature(FEATURE_INSTANCES) || instance == ray.instance;
     bool same_target = !has_feature(FEATURE_INSTANCES) || instance == ray.target_instance;
-    bool excluded = (triangle == ray.triangle && same_instance) || (triangle == ray.target_triangle && same_target);
+    bool excluded = (triangle == ray.triangle && same_instance) || (triangle == ray.target_triangle &&
+        same_target);
     bool lower = triangle < hit.triangle;
     if (has_feature(FEATURE_INSTANCES))
         lower = instance < hit.instance || (instance == hit.instance && lower);
@@ -111,7 +116,8 @@ Hit bvh_trace(BvhRay ray, const bool any_hit) {
     uint depth = 0u;
     BvhFrame here = bvh_frame(ray.origin, ray.direction, 0u, 0u);
     BvhCursor cursor = BvhCursor(frame.root, bvh_root_pending(here.box.octant), 0u, 0u, 0u);
-    BvhCursor above = cursor; // the leaf in the hierarchy over instances from which the ray came into this instance
+    // The leaf in the hierarchy over instances from which the ray came into this instance
+    BvhCursor above = cursor;
     if (two_levels) {
         // The world first; below it waits the hierarchy over instances.
         stack_base[0] = cursor.child_base;
@@ -138,7 +144,8 @@ Hit bvh_trace(BvhRay ray, const bool any_hit) {
                 ++depth;
             }
             NodeHits hits = box_node(node, here.box, box_min(hit.t, BVH_FAR) * BOX_FAR);
-            cursor = BvhCursor(hits.child_base, hits.inner_hits | hits.inner << 8, hits.triangle_base, hits.leaves,
+            cursor = BvhCursor(hits.child_base, hits.inner_hits | hits.inner << 8, hits.triangle_base,
+                hits.leaves,
                                hits.leaf_hits);
             if (hits.inner_hits == 0u && depth > here.floor) {
                 --depth;

@@ -1,6 +1,6 @@
 // One wide node against one ray: which slots does the ray meet, and what is in them. See shared/bvh.glsl.h.
-// The slab test is conservative (Ize 2013, "Robust BVH Ray Traversal"): node boxes carry a margin for rounding in
-// proportion to their size, BoxRay's far planes one in proportion to distance.
+// The slab test is conservative (Ize 2013, "Robust BVH Ray Traversal"): node boxes carry a margin for
+// rounding in proportion to their size, BoxRay's far planes one in proportion to distance.
 #ifndef AJAR_BVH_NODE_GLSL
 #define AJAR_BVH_NODE_GLSL
 #include "../core/tables.glsl"
@@ -12,23 +12,28 @@ struct BoxRay {
     uint octant;   // bit a: direction[a] < 0
 };
 
-// Below this a component counts as this: its reciprocal times a coordinate (up to 1e20) and a step must not overflow.
+// Below this a component counts as this: its reciprocal times a coordinate (up to 1e20) and a step must not
+// overflow.
 const float BOX_MIN_DIRECTION = 8.8817842e-16; // 2^-50
-const float BOX_FAR = 1.0 + 1.0 / 1048576.0;   // a few roundings at 2^-24 each, with room for inexact reciprocals
+// A few roundings at 2^-24 each, with room for inexact reciprocals
+const float BOX_FAR = 1.0 + 1.0 / 1048576.0;
 
 float box_inverse(float d) {
-    return 1.0 / (abs(d) < BOX_MIN_DIRECTION ? (floatBitsToInt(d) < 0 ? -BOX_MIN_DIRECTION : BOX_MIN_DIRECTION) : d);
+    return 1.0 / (abs(d) < BOX_MIN_DIRECTION ? (floatBitsToInt(d) < 0 ? -BOX_MIN_DIRECTION :
+        BOX_MIN_DIRECTION) : d);
 }
 
 BoxRay box_ray(vec3 origin, vec3 direction) {
     BoxRay ray;
     ray.origin = origin;
     ray.inverse = vec3(box_inverse(direction.x), box_inverse(direction.y), box_inverse(direction.z));
-    ray.octant = (ray.inverse.x < 0.0 ? 1u : 0u) | (ray.inverse.y < 0.0 ? 2u : 0u) | (ray.inverse.z < 0.0 ? 4u : 0u);
+    ray.octant = (ray.inverse.x < 0.0 ? 1u : 0u) | (ray.inverse.y < 0.0 ? 2u : 0u) | (ray.inverse.z < 0.0 ?
+        4u : 0u);
     return ray;
 }
 
-// Swaps bits of the slots of a mask: slot s becomes bit s ^ octant, so the lowest bit is (roughly) the nearest slot.
+// Swaps bits of the slots of a mask: slot s becomes bit s ^ octant, so the lowest bit is (roughly) the
+// nearest slot.
 uint box_to_order(uint mask, uint octant) {
     mask = (octant & 1u) != 0u ? (mask & 0x55u) << 1 | (mask >> 1 & 0x55u) : mask;
     mask = (octant & 2u) != 0u ? (mask & 0x33u) << 2 | (mask >> 2 & 0x33u) : mask;
@@ -76,7 +81,8 @@ NodeHits box_node(uint node, BoxRay ray, float limit) {
     uvec4 q0 = fetch_node(base + 2u); // lower x, x, y, y
     uvec4 q1 = fetch_node(base + 3u); // lower z, z, upper x, x
     uvec4 q2 = fetch_node(base + 4u); // upper y, y, z, z
-    vec3 scale = ray.inverse * uintBitsToFloat(uvec3(head.w << 23, (head.w & 0xff00u) << 15, (head.w & 0xff0000u) << 7) &
+    vec3 scale = ray.inverse * uintBitsToFloat(uvec3(head.w << 23, (head.w & 0xff00u) << 15, (head.w &
+        0xff0000u) << 7) &
                                                0x7f800000u);
     vec3 offset = (uintBitsToFloat(head.xyz) - ray.origin) * ray.inverse;
     bvec3 negative = lessThan(ray.inverse, vec3(0.0));
@@ -89,7 +95,8 @@ NodeHits box_node(uint node, BoxRay ray, float limit) {
     vec3 far_scale = scale * BOX_FAR;
     vec3 far_offset = offset * BOX_FAR;
     uint hits = box_four(nx.x, ny.x, nz.x, fx.x, fy.x, fz.x, scale, offset, far_scale, far_offset, limit) |
-                box_four(nx.y, ny.y, nz.y, fx.y, fy.y, fz.y, scale, offset, far_scale, far_offset, limit) << 4;
+                box_four(nx.y, ny.y, nz.y, fx.y, fy.y, fz.y, scale, offset, far_scale, far_offset,
+                    limit) << 4;
     NodeHits node_hits;
     node_hits.child_base = links.x;
     node_hits.inner = head.w >> 24;

@@ -63,13 +63,15 @@ SurfaceCoordinates surface_coordinates(uint triangle, float u, float v) {
 // A vector as columns' combination: normals go by the inverse transpose.
 vec3 surface_normal_to_world(uint instance, vec3 n) {
     uint base = instance * INSTANCE_TEXELS + 3u;
-    return n.x * uintBitsToFloat(fetch_instance(base)).xyz + n.y * uintBitsToFloat(fetch_instance(base + 1u)).xyz +
+    return n.x * uintBitsToFloat(fetch_instance(base)).xyz + n.y * uintBitsToFloat(fetch_instance(base +
+        1u)).xyz +
            n.z * uintBitsToFloat(fetch_instance(base + 2u)).xyz;
 }
 
 vec3 surface_point_to_world(uint instance, vec4 p) {
     uint base = instance * INSTANCE_TEXELS;
-    return vec3(dot(uintBitsToFloat(fetch_instance(base)), p), dot(uintBitsToFloat(fetch_instance(base + 1u)), p),
+    return vec3(dot(uintBitsToFloat(fetch_instance(base)), p), dot(uintBitsToFloat(fetch_instance(base +
+        1u)), p),
                 dot(uintBitsToFloat(fetch_instance(base + 2u)), p));
 }
 
@@ -124,8 +126,8 @@ Surface surface_at(uint triangle, uint instance, float u, float v, vec3 directio
     s.ng = flipped ? -s.ng : s.ng;
     float length2 = dot(n, n);
     s.n = length2 > 0.0 ? n * inversesqrt(length2) : s.ng;
-    // Front faces are counter-clockwise. Both normals turn to the ray's side; vertex normals are trusted to agree with
-    // the winding only in sign.
+    // Front faces are counter-clockwise. Both normals turn to the ray's side; vertex normals are trusted to
+    // agree with the winding only in sign.
     s.back_face = dot(s.ng, direction) > 0.0;
     s.ng = s.back_face ? -s.ng : s.ng;
     s.n = dot(s.n, s.ng) < 0.0 ? -s.n : s.n;

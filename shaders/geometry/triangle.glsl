@@ -1,6 +1,7 @@
 // Watertight ray-triangle intersection: Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection".
-// A vertex is sheared into the ray's frame the same way in every triangle that shares it, so the sign of an edge
-// function is the same on both sides of an edge and no ray passes between two triangles. Edges count as inside.
+// A vertex is sheared into the ray's frame the same way in every triangle that shares it, so the sign of an
+// edge function is the same on both sides of an edge and no ray passes between two triangles. Edges count as
+// inside.
 #ifndef AJAR_TRIANGLE_GLSL
 #define AJAR_TRIANGLE_GLSL
 #include "../core/tables.glsl"
@@ -46,7 +47,8 @@ struct TriangleHit {
     bool back_face;
 };
 
-// `precise` keeps compilers from fusing one product of a difference, which would break the antisymmetry of edges.
+// `precise` keeps compilers from fusing one product of a difference, which would break the antisymmetry of
+// edges.
 TriangleHit triangle_test(TriangleRay ray, vec3 p0, vec3 p1, vec3 p2) {
     vec3 a = triangle_permute(ray, p0 - ray.origin);
     vec3 b = triangle_permute(ray, p1 - ray.origin);
@@ -67,7 +69,8 @@ TriangleHit triangle_test(TriangleRay ray, vec3 p0, vec3 p1, vec3 p2) {
     // Seen along +z of the sheared frame, which mirrors where the direction's main component is negative.
     hit.back_face = (determinant < 0.0) != (ray.shear.z < 0.0);
     bool same_side = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
-    // t is a mean of the vertices' depths, so their rounding bounds its error: a t below it may be 0 or negative.
+    // t is a mean of the vertices' depths, so their rounding bounds its error: a t below it may be 0 or
+    // negative.
     float reach = max(abs(a.z), max(abs(b.z), abs(c.z))) * abs(ray.shear.z);
     hit.inside = same_side && determinant != 0.0 && hit.t > reach * TRIANGLE_T_ERROR;
     return hit;

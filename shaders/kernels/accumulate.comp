@@ -12,7 +12,8 @@ FilmPixel film_load(uint at) {
     uvec4 b = film_words[4u * at + 1u];
     uvec4 c = film_words[4u * at + 2u];
     uvec4 d = film_words[4u * at + 3u];
-    return FilmPixel(a.x, uint[6](a.y, a.z, a.w, b.x, b.y, b.z), uint[9](b.w, c.x, c.y, c.z, c.w, d.x, d.y, d.z, d.w));
+    return FilmPixel(a.x, uint[6](a.y, a.z, a.w, b.x, b.y, b.z), uint[9](b.w, c.x, c.y, c.z, c.w, d.x, d.y,
+        d.z, d.w));
 }
 
 void film_store(uint at, FilmPixel p) {
@@ -36,9 +37,11 @@ void report_invalid(uint home) {
 
 void main() {
     uint spp = 1u << args.segments.samples_log2;
-    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) + workgroup_index() * WORKGROUP_SIZE +
+    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) +
+        workgroup_index() * WORKGROUP_SIZE +
                    gl_LocalInvocationID.x;
-    uint end = min(args.segments.path_count, (args.segments.first_segment + args.segments.segment_count) * SEGMENT_SIZE);
+    uint end = min(args.segments.path_count, (args.segments.first_segment +
+        args.segments.segment_count) * SEGMENT_SIZE);
     if (ordinal * spp >= end) return;
     uint at = args.segments.first_ordinal - args.segments.chunk_ordinal + ordinal;
     FilmPixel pixel = film_load(at);

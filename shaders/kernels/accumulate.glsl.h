@@ -1,5 +1,6 @@
-// accumulate: adds the pass's path radiances to the film. One thread owns a pixel and adds its samples in order.
-// Reads BIND_RADIANCE; adds to BIND_FILM; counts what is NaN, Inf, negative (added as black) or too bright (cut).
+// accumulate: adds the pass's path radiances to the film. One thread owns a pixel and adds its samples in
+// order. Reads BIND_RADIANCE; adds to BIND_FILM; counts what is NaN, Inf, negative (added as black) or too
+// bright (cut).
 #ifndef AJAR_ACCUMULATE_GLSL_H
 #define AJAR_ACCUMULATE_GLSL_H
 #include "../shared/segment_args.glsl.h"

@@ -40,9 +40,11 @@ void add_hit(inout AovPixel pixel, PathState path, bool first_of_pixel) {
 
 void main() {
     uint spp = 1u << args.segments.samples_log2;
-    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) + workgroup_index() * WORKGROUP_SIZE +
+    uint ordinal = (args.segments.first_segment * SEGMENT_SIZE >> args.segments.samples_log2) +
+        workgroup_index() * WORKGROUP_SIZE +
                    gl_LocalInvocationID.x;
-    uint end = min(args.segments.path_count, (args.segments.first_segment + args.segments.segment_count) * SEGMENT_SIZE);
+    uint end = min(args.segments.path_count, (args.segments.first_segment +
+        args.segments.segment_count) * SEGMENT_SIZE);
     if (ordinal * spp >= end) return;
     uint at = args.segments.first_ordinal + ordinal;
     AovPixel pixel = frame.aovs.at[at];

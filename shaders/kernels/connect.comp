@@ -18,7 +18,8 @@ void main() {
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         ShadowRay shadow = shadow_ray_load(first + i);
         vec3 offset = leave_offset(shadow.triangle, shadow.instance, shadow.origin, shadow.direction);
-        float reach = leave_reach(shadow.distance, shadow.light_triangle, shadow.light_instance, shadow.origin,
+        float reach = leave_reach(shadow.distance, shadow.light_triangle, shadow.light_instance,
+            shadow.origin,
                                   shadow.direction, offset);
         BvhRay ray = BvhRay(shadow.origin + offset, shadow.direction, min(reach, BVH_FAR), shadow.triangle,
                             shadow.instance, shadow.light_triangle, shadow.light_instance, shadow.salt);

@@ -1,6 +1,6 @@
-// connect: traces the shadow rays of a segment and adds the contribution of those that arrive to the path's radiance.
-// Reads BIND_SHADOW_RAYS, BIND_SEGMENTS; adds to BIND_RADIANCE[home]; counts in SegmentCounts. One workgroup per
-// segment; a path has at most one shadow ray per bounce, so no two threads add to one place.
+// connect: traces the shadow rays of a segment and adds the contribution of those that arrive to the path's
+// radiance. Reads BIND_SHADOW_RAYS, BIND_SEGMENTS; adds to BIND_RADIANCE[home]; counts in SegmentCounts. One
+// workgroup per segment; a path has at most one shadow ray per bounce, so no two threads add to one place.
 #ifndef AJAR_CONNECT_GLSL_H
 #define AJAR_CONNECT_GLSL_H
 #include "../shared/segment_args.glsl.h"

@@ -17,7 +17,8 @@ void main() {
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         PathState path = path_load(first + i);
         vec3 offset = leave_offset(path.triangle, path.instance, path.origin, path.direction);
-        BvhRay ray = BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance, NO_TRIANGLE, 0u,
+        BvhRay ray = BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance,
+            NO_TRIANGLE, 0u,
                             path.salt);
         Hit hit = bvh_trace(ray, false);
         path_store_hit(first + i, hit.triangle, hit.instance, hit.u, hit.v);

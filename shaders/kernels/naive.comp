@@ -14,7 +14,8 @@ layout(push_constant, scalar) uniform ArgsBlock { NaiveArgs args; };
 
 BsdfSample sample_direction(Vertex v, Sampler points, uint dimension) {
     vec2 u = sampler_2d(points, dimension + DIM_BSDF);
-    if (OPTION == NAIVE_BSDF) return bsdf_sample(v.bsdf, v.wo, u, sampler_1d(points, dimension + DIM_BSDF_LOBE));
+    if (OPTION == NAIVE_BSDF) return bsdf_sample(v.bsdf, v.wo, u, sampler_1d(points, dimension +
+        DIM_BSDF_LOBE));
     vec3 wi = warps_cosine_hemisphere(u);
     // f cos / (cos / pi): the cosines cancel.
     return BsdfSample(wi, bsdf_eval(v.bsdf, v.wo, wi) * MATH_PI, warps_cosine_hemisphere_pdf(wi.z), false);

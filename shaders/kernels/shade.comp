@@ -45,8 +45,10 @@ vec3 met_emission(PathState path, Vertex v) {
 
 // A shadow ray to one light. False when nothing can come of it.
 bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
-    LightPick pick = light_sampler_pick(v.surface.position, v.surface.ng, sampler_1d(points, dimension + DIM_LIGHT_PICK));
-    LightSample light = light_sample(pick.light, v.surface.position, sampler_2d(points, dimension + DIM_LIGHT));
+    LightPick pick = light_sampler_pick(v.surface.position, v.surface.ng, sampler_1d(points, dimension +
+        DIM_LIGHT_PICK));
+    LightSample light = light_sample(pick.light, v.surface.position, sampler_2d(points, dimension +
+        DIM_LIGHT));
     BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
     float light_pdf = light.pdf * pick.pmf;
     float weight = STRATEGY == STRATEGY_MIS && !light.delta ? power_heuristic(light_pdf, value.pdf) : 1.0;

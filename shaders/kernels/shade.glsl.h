@@ -1,13 +1,14 @@
 // shade: what happens where a path met the scene: emission, a shadow ray to a light, the next direction.
-// Reads BIND_PATHS after extend; writes the surviving paths back, compacted in order, the shadow rays of the bounce to
-// BIND_SHADOW_RAYS, emission to BIND_RADIANCE, and SegmentCounts. One workgroup per segment.
+// Reads BIND_PATHS after extend; writes the surviving paths back, compacted in order, the shadow rays of the
+// bounce to BIND_SHADOW_RAYS, emission to BIND_RADIANCE, and SegmentCounts. One workgroup per segment.
 //
 // Estimates L = Le + integral of f L |cos| dw at each vertex x of the path, with throughput beta:
 //   emission met by BSDF sampling:  beta Le w_b,               w_b = p_b^2 / (p_b^2 + p_l^2)
 //   a light picked with pmf:        beta f Le |cos| V / p_l w_l, w_l = p_l^2 / (p_b^2 + p_l^2), p_l = pmf pdf
-// p_b and p_l by solid angle: the power heuristic of Veach and Guibas 1995. SPEC_STRATEGY leaves one of the two out (its
-// weight is then 1). Delta lobes (p_b = 0 by convention) see lights by BSDF sampling alone, delta lights by light
-// sampling alone. At bounce max_bounces + 1 only emission is counted: what the last BSDF sample met.
+// p_b and p_l by solid angle: the power heuristic of Veach and Guibas 1995. SPEC_STRATEGY leaves one of the
+// two out (its weight is then 1). Delta lobes (p_b = 0 by convention) see lights by BSDF sampling alone,
+// delta lights by light sampling alone. At bounce max_bounces + 1 only emission is counted: what the last
+// BSDF sample met.
 #ifndef AJAR_SHADE_GLSL_H
 #define AJAR_SHADE_GLSL_H
 #include "../shared/segment_args.glsl.h"

@@ -25,7 +25,8 @@ Vertex vertex_at(PathState path) {
     if (has_feature(FEATURE_NORMAL_MAPS)) {
         Frame tangent_frame = frame_from_tangent(n, v.surface.tangent.xyz, v.surface.tangent.w);
         bool mapped = v.surface.tangent.w != 0.0;
-        // Seen from behind, n is flipped already; the tangents then belong to the other side's map, as glTF asks.
+        // Seen from behind, n is flipped already; the tangents then belong to the other side's map, as glTF
+        // asks.
         n = mapped ? normalize(frame_to_world(tangent_frame, v.material.normal_ts)) : n;
     }
     n = shading_normal_adapt(n, v.surface.ng, -path.direction);

@@ -16,8 +16,9 @@ const uint BIND_FILM = 5;        // FilmPixel[chunk]
 const uint BIND_STORAGE_FIRST = BIND_PATHS;
 const uint BIND_STORAGE_LAST = BIND_FILM;
 
-// Texel buffers, all RGBA32UI but TEXELS, which is RGBA8 UNORM. First two of the storage buffers again, for kernels that
-// read them faster that way (SPEC_PATH_TEXELS); a dispatch never reads there what it wrote itself.
+// Texel buffers, all RGBA32UI but TEXELS, which is RGBA8 UNORM. First two of the storage buffers again, for
+// kernels that read them faster that way (SPEC_PATH_TEXELS); a dispatch never reads there what it wrote
+// itself.
 const uint BIND_PATHS_READ = 6;
 const uint BIND_SHADOW_RAYS_READ = 7;
 // Then the read-only scene tables.

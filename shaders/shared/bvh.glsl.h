@@ -1,6 +1,6 @@
 // BIND_NODES and BIND_TRIANGLES: the hierarchy that rays walk. Built by host/bvh, read by geometry/bvh.glsl.
-// Wide nodes with quantised boxes after Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs
-// Through Compressed Wide BVHs".
+// Wide nodes with quantised boxes after Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on
+// GPUs Through Compressed Wide BVHs".
 #ifndef AJAR_BVH_GLSL_H
 #define AJAR_BVH_GLSL_H
 #include "dual.glsl.h"
@@ -12,15 +12,18 @@ const uint BVH_MAX_LEAF = 3;       // triangles of a leaf
 const uint BVH_NODE_TEXELS = 5;
 const uint BVH_MAX_NODES = 1u << 24;
 
-// Eight slots, each empty, an inner child or a leaf of up to three triangles (in the hierarchy over instances: one
-// instance). A slot's box is origin + q * 2^(exponent - 127) per axis, conservative by a margin that covers the
-// rounding of the slab test. Slots are filled so that slot ^ octant of a ray's direction goes roughly front to back.
+// Eight slots, each empty, an inner child or a leaf of up to three triangles (in the hierarchy over
+// instances: one instance). A slot's box is origin + q * 2^(exponent - 127) per axis, conservative by a
+// margin that covers the rounding of the slab test. Slots are filled so that slot ^ octant of a ray's
+// direction goes roughly front to back.
 struct BvhNode {
     vec3 origin;          // lower corner of the node, in the frame of its triangles, metres
     uint exponents;       // biased exponent of a step along x | y << 8 | z << 16; slots that are inner << 24
-    uint child_base;      // node index of the first inner child; the others follow in the order of their slots
+    // Node index of the first inner child; the others follow in the order of their slots
+    uint child_base;
     uint triangle_base;   // index of the first triangle (or instance) of the node's leaves
-    uint leaves;          // slots with at least one triangle | two << 8 | three << 16; bit order = triangle order
+    // Slots with at least one triangle | two << 8 | three << 16; bit order = triangle order
+    uint leaves;
     uint pad;
     uint lower_x[2];      // byte s: slot s; an empty slot has lower 255, upper 0
     uint lower_y[2];

@@ -1,4 +1,5 @@
-// Which dimension of the sample sequence decides what. Even dimensions begin a jointly stratified pair (sampler_2d).
+// Which dimension of the sample sequence decides what. Even dimensions begin a jointly stratified pair
+// (sampler_2d).
 #ifndef AJAR_DIMENSIONS_GLSL_H
 #define AJAR_DIMENSIONS_GLSL_H
 #include "dual.glsl.h"

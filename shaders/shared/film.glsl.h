@@ -1,4 +1,5 @@
-// The film: exact sums in fixed point, so that the order of samples does not matter and disjoint ranges merge exactly.
+// The film: exact sums in fixed point, so that the order of samples does not matter and disjoint ranges merge
+// exactly.
 #ifndef AJAR_FILM_GLSL_H
 #define AJAR_FILM_GLSL_H
 #include "dual.glsl.h"
@@ -8,7 +9,8 @@ DUAL_BEGIN
 const float FILM_MAX_SAMPLE = 16777216.0f; // 2^24
 
 // sum: 64 bits in units of 2^-28; square: 96 bits in units of 2^-44. Words low to high, per channel R, G, B.
-// A million samples at 2^16 stay below either's end; 2^-28 is a hundredth of an 8-bit step at an exposure of +18 EV.
+// A million samples at 2^16 stay below either's end; 2^-28 is a hundredth of an 8-bit step at an exposure of
+// +18 EV.
 struct FilmPixel {
     uint count;     // samples
     uint sum[6];

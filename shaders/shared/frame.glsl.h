@@ -37,7 +37,8 @@ struct FrameRecord {
     uint pad_pointer[2];
 
     vec3 camera_origin;          // world, metres
-    float camera_scale_x;        // perspective: tan of half the horizontal angle; orthographic: half width, metres
+    // Perspective: tan of half the horizontal angle; orthographic: half width, metres
+    float camera_scale_x;
     vec3 camera_right;           // world, unit
     float camera_scale_y;
     vec3 camera_up;

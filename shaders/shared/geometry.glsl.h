@@ -5,7 +5,8 @@
 DUAL_BEGIN
 
 // BIND_SURFACES: per triangle, in leaf order like BIND_TRIANGLES: what shading needs at a hit.
-// Unit vectors are octahedral, 2 x snorm16 (Cigolla et al. 2014). Stride: SURFACE_TEXELS or SURFACE_EXTENDED_TEXELS.
+// Unit vectors are octahedral, 2 x snorm16 (Cigolla et al. 2014). Stride: SURFACE_TEXELS or
+// SURFACE_EXTENDED_TEXELS.
 struct SurfaceRecord {
     uint normal[3];   // vertex normals, the frame of the triangle's positions
     uint material;    // index of the MaterialRecord
@@ -28,7 +29,8 @@ const uint SURFACE_TEXELS = 3;
 const uint SURFACE_EXTENDED_TEXELS = 7;
 const uint NO_LIGHT = 0xffffffffu;
 
-// BIND_INSTANCES. Instance 0 is the world itself (identity): all meshes that are used once, baked into world space.
+// BIND_INSTANCES. Instance 0 is the world itself (identity): all meshes that are used once, baked into world
+// space.
 struct InstanceRecord {
     vec4 to_world[3];  // rows of the 3 x 4 matrix
     vec4 to_object[3]; // rows of its inverse

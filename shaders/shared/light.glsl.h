@@ -37,7 +37,8 @@ const uint LIGHT_TEXELS = 4;
 // Each side of an environment map's distribution has at most 2^this cells.
 const int ENVIRONMENT_CELL_BITS = 11;
 
-// Alias method (Walker 1977; Vose 1991): take entry i = floor(u n); keep i when the remapped u < keep, else `other`.
+// Alias method (Walker 1977; Vose 1991): take entry i = floor(u n); keep i when the remapped u < keep, else
+// `other`.
 struct AliasEntry {
     float keep;
     uint other;

@@ -1,4 +1,5 @@
-// BIND_MATERIALS: first all MaterialRecords, then all TextureRecords (FrameRecord::textures_first says where).
+// BIND_MATERIALS: first all MaterialRecords, then all TextureRecords (FrameRecord::textures_first says
+// where).
 #ifndef AJAR_MATERIAL_GLSL_H
 #define AJAR_MATERIAL_GLSL_H
 #include "dual.glsl.h"
@@ -32,8 +33,8 @@ DUAL_SIZE(MaterialRecord, 80);
 
 const uint MATERIAL_TEXELS = 5;
 
-// Below this GGX width (roughness 0.032) a lobe is a mirror. It spreads light over a tenth of a degree; narrower, the
-// density passes 1e6 per steradian and float directions no longer resolve it.
+// Below this GGX width (roughness 0.032) a lobe is a mirror. It spreads light over a tenth of a degree;
+// narrower, the density passes 1e6 per steradian and float directions no longer resolve it.
 const float DELTA_ALPHA = 1e-3f;
 
 const uint WRAP_REPEAT = 0;

@@ -1,4 +1,5 @@
-// Path state: what flies between kernels. Segment s owns the slots [s * SEGMENT_SIZE, (s + 1) * SEGMENT_SIZE).
+// Path state: what flies between kernels. Segment s owns the slots [s * SEGMENT_SIZE, (s + 1) *
+// SEGMENT_SIZE).
 #ifndef AJAR_PATH_GLSL_H
 #define AJAR_PATH_GLSL_H
 #include "dual.glsl.h"
@@ -12,7 +13,8 @@ struct PathState {
     vec3 origin;      // world, metres; exactly on the triangle it leaves (no epsilon)
     uint home;        // slot the path was born in: index of its radiance, gives pixel and sample
     vec3 direction;   // world, unit
-    float pdf;        // density of `direction` by solid angle (1/sr) as BSDF sampling made it; 0: delta or camera ray
+    // Density of `direction` by solid angle (1/sr) as BSDF sampling made it; 0: delta or camera ray
+    float pdf;
     vec3 beta;        // throughput: product of f cos / pdf, Russian roulette included
     uint salt;        // random bits of this ray, for stochastic alpha
     uint triangle;    // in: triangle the ray leaves (NO_TRIANGLE: none); out: triangle hit, in leaf order

@@ -4,10 +4,11 @@
 #include "dual.glsl.h"
 DUAL_BEGIN
 
-// Slot s of the pass is sample first_sample + s % n of ordinal first_ordinal + s / n, n = 2^samples_log2: shifts, since
+// Slot s of the pass is sample first_sample + s % n of ordinal first_ordinal + s / n, n = 2^samples_log2:
+// shifts, since
 // lavapipe divides integers lane by lane.
-// Workgroup w takes segment first_segment + (w * segment_stride) % segment_count: interleaved, so that every contiguous
-// share of workgroups (a driver's thread may get one) is a fair sample of the picture.
+// Workgroup w takes segment first_segment + (w * segment_stride) % segment_count: interleaved, so that every
+// contiguous share of workgroups (a driver's thread may get one) is a fair sample of the picture.
 struct SegmentArgs {
     uint segment_count;     // of this dispatch
     uint first_segment;

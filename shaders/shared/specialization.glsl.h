@@ -1,4 +1,5 @@
-// Specialization constants: id numbers for the host, and their declarations for kernels (shaders/core/variants.glsl).
+// Specialization constants: id numbers for the host, and their declarations for kernels
+// (shaders/core/variants.glsl).
 #ifndef AJAR_SPECIALIZATION_GLSL_H
 #define AJAR_SPECIALIZATION_GLSL_H
 #include "dual.glsl.h"
@@ -11,13 +12,15 @@ const uint SPEC_FEATURES = 3;       // what the scene has: FEATURE_* bits; code 
 const uint SPEC_STRATEGY = 4;       // STRATEGY_*: which sampling sees the luminaires
 const uint SPEC_LIGHT_SAMPLER = 5;  // LIGHT_SAMPLER_*
 const uint SPEC_OPTION = 6;         // a kernel's own variant, named in its header
-const uint SPEC_PATH_TEXELS = 7;    // 1: paths and shadow rays are read through texel buffers (lavapipe: branch-free)
+// 1: paths and shadow rays are read through texel buffers (lavapipe: branch-free)
+const uint SPEC_PATH_TEXELS = 7;
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy
 const uint FEATURE_ALPHA = 1u << 1;           // some triangles need an alpha or facing test when hit
 const uint FEATURE_TEXTURES = 1u << 2;        // any texture at all
 const uint FEATURE_NORMAL_MAPS = 1u << 3;
-const uint FEATURE_EXTENDED_SURFACE = 1u << 4; // second texture coordinates, tangents or vertex colours are stored
+// Second texture coordinates, tangents or vertex colours are stored
+const uint FEATURE_EXTENDED_SURFACE = 1u << 4;
 const uint FEATURE_SPECULAR = 1u << 5;        // any material with a microfacet lobe (else all are Lambertian)
 const uint FEATURE_DELTA = 1u << 6;           // any material smooth enough for a delta lobe
 const uint FEATURE_EMISSIVE_TRIANGLES = 1u << 7;

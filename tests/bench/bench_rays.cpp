@@ -1,5 +1,6 @@
-// Traces the very same rays with Ajar's kernels and with Embree's single-ray functions, one thread each, in rounds that
-// take turns, and prints the medians in millions of rays a second. Exits with 3 when hits disagree.
+// Traces the very same rays with Ajar's kernels and with Embree's single-ray functions, one thread each, in
+// rounds that take turns, and prints the medians in millions of rays a second. Exits with 3 when hits
+// disagree.
 #include "base/error.hpp"
 #include "bench_scenes.hpp"
 #include "embree_tracer.hpp"
@@ -42,9 +43,10 @@ double thread_seconds() {
     return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
-// Processor time, as other work on the machine would disturb a clock. One round of each in turn; the first, in which the
-// driver compiles, does not count.
-template <class A, class E> Rates race(const Settings& settings, std::size_t rays, A trace_ajar, E trace_embree) {
+// Processor time, as other work on the machine would disturb a clock. One round of each in turn; the first,
+// in which the driver compiles, does not count.
+template <class A, class E>
+Rates race(const Settings& settings, std::size_t rays, A trace_ajar, E trace_embree) {
     std::vector<double> ajar, embree, ratio;
     for (int round = -1; round < settings.rounds; ++round) {
         const double ajar_seconds = trace_ajar();
@@ -65,7 +67,8 @@ struct ExactHit {
     double inside; // the least barycentric weight: above 0 well inside, about 0 on an edge, below 0 outside
 };
 
-ExactHit exact_hit(const shared::TriangleRecord& triangle, const glm::vec3& origin, const glm::vec3& direction) {
+ExactHit exact_hit(const shared::TriangleRecord& triangle, const glm::vec3& origin,
+                   const glm::vec3& direction) {
     const glm::dvec3 a = triangle.p0, e1 = glm::dvec3(triangle.p1) - a, e2 = glm::dvec3(triangle.p2) - a;
     const glm::dvec3 d = direction, s = glm::dvec3(origin) - a, h = glm::cross(d, e2), q = glm::cross(s, e1);
     const double f = 1 / glm::dot(e1, h);
@@ -77,8 +80,8 @@ constexpr double SAME_T = 1e-4; // relative
 constexpr double EDGE = 1e-4;   // barycentric: within it either answer is right
 
 // Whether one of the two answers is wrong. Embree's default mode lets rays through edges; Ajar must not.
-bool disagree(std::span<const shared::TriangleRecord> triangles, const glm::vec3& origin, const glm::vec3& direction,
-              std::uint32_t ajar, const EmbreeHit& embree) {
+bool disagree(std::span<const shared::TriangleRecord> triangles, const glm::vec3& origin,
+              const glm::vec3& direction, std::uint32_t ajar, const EmbreeHit& embree) {
     if (ajar == embree.triangle) return false;
     if (ajar == shared::NO_TRIANGLE) return true; // a leak
     const ExactHit exact = exact_hit(triangles[ajar], origin, direction);
@@ -93,8 +96,10 @@ class SceneBench {
   public:
     SceneBench(const gpu::Device& device, const BenchScene& scene, const Settings& settings)
         : settings_(settings), scene_(scene),
-          camera_(device, {{scene.triangles}, {}}, {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_CAMERA}),
-          bounce_(device, {{scene.triangles}, {}}, {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_BOUNCE}),
+          camera_(device, {{scene.triangles}, {}},
+                  {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_CAMERA}),
+          bounce_(device, {{scene.triangles}, {}},
+                  {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_BOUNCE}),
           embree_(camera_.triangles()) {}
 
     nlohmann::json run() {
@@ -107,13 +112,15 @@ class SceneBench {
         report["bounce"] = to_json(bounce_rates);
         report["shadow"] = to_json(shadow_rates);
         report["mismatches"] = mismatches_;
-        if (exhausted_ > 0) throw Error(scene_.name + ": " + std::to_string(exhausted_) + " rays ran out of iterations");
+        if (exhausted_ > 0)
+            throw Error(scene_.name + ": " + std::to_string(exhausted_) + " rays ran out of iterations");
         return report;
     }
 
   private:
     static nlohmann::json to_json(const Rates& rates) {
-        return {{"ajar_mrays", rates.ajar_mrays}, {"embree_mrays", rates.embree_mrays}, {"ratio", rates.ratio}};
+        return {
+            {"ajar_mrays", rates.ajar_mrays}, {"embree_mrays", rates.embree_mrays}, {"ratio", rates.ratio}};
     }
 
     std::pair<Rates, std::vector<shared::PathState>> closest(test::TraceRig& rig,
@@ -129,7 +136,8 @@ class SceneBench {
             [&] { embree_.intersect(rays, hits); });
         exhausted_ += result.exhausted;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (disagree(rig.triangles(), rays[i].origin, rays[i].direction, result.paths[i].triangle, hits[i]))
+            if (disagree(rig.triangles(), rays[i].origin, rays[i].direction, result.paths[i].triangle,
+                         hits[i]))
                 ++mismatches_;
         }
         return {rates, std::move(result.paths)};
@@ -179,12 +187,14 @@ BenchScene make_scene(const std::string& name) {
 }
 
 void print(const std::string& name, const nlohmann::json& report) {
-    std::printf("%s: %llu triangles, %llu mismatches\n", name.c_str(), report["triangles"].get<unsigned long long>(),
+    std::printf("%s: %llu triangles, %llu mismatches\n", name.c_str(),
+                report["triangles"].get<unsigned long long>(),
                 report["mismatches"].get<unsigned long long>());
     for (const char* kind : {"primary", "bounce", "shadow"}) {
         const nlohmann::json& rates = report[kind];
         std::printf("  %-8s Ajar %6.2f Mrays/s   Embree %6.2f Mrays/s   ratio %.2f\n", kind,
-                    rates["ajar_mrays"].get<double>(), rates["embree_mrays"].get<double>(), rates["ratio"].get<double>());
+                    rates["ajar_mrays"].get<double>(), rates["embree_mrays"].get<double>(),
+                    rates["ratio"].get<double>());
     }
 }
 
@@ -211,8 +221,10 @@ int main(int argc, char** argv) {
     ajar::bench::Settings settings;
     CLI::App app("Ajar's ray kernels against Embree, one thread each, on the same rays.");
     app.add_flag("--json", settings.json, "One JSON object instead of a table");
-    app.add_option("--rounds", settings.rounds, "Timed rounds; the medians are reported")->check(CLI::Range(1, 1000));
-    app.add_option("--size", settings.size, "Side of the picture, a power of two")->check(CLI::Range(8, 4096));
+    app.add_option("--rounds", settings.rounds, "Timed rounds; the medians are reported")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--size", settings.size, "Side of the picture, a power of two")
+        ->check(CLI::Range(8, 4096));
     app.add_option("--segment", settings.segment_size, "Rays per segment")->check(CLI::Range(64, 1024));
     app.add_option("scenes", settings.scenes, "big, small or glTF files (default: big small)");
     CLI11_PARSE(app, argc, argv);

@@ -20,18 +20,21 @@ void add_quad(Triangles& out, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d
 // A smooth function of space between about -1 and 1.
 float waves(const glm::vec3& p) {
     return (std::sin(p.x + 1.3f * std::sin(p.z)) + std::sin(1.7f * p.y + std::sin(2.1f * p.x)) +
-            std::sin(1.9f * p.z + 1.1f * std::sin(p.y))) / 3;
+            std::sin(1.9f * p.z + 1.1f * std::sin(p.y))) /
+           3;
 }
 
 // A parallelogram of n x n cells, raised along `up` by noise.
-void add_rough_wall(Triangles& out, glm::vec3 corner, glm::vec3 u, glm::vec3 v, glm::vec3 up, int n, float height) {
+void add_rough_wall(Triangles& out, glm::vec3 corner, glm::vec3 u, glm::vec3 v, glm::vec3 up, int n,
+                    float height) {
     const auto vertex = [&](int i, int j) {
         const glm::vec3 p = corner + u * (float(i) / float(n)) + v * (float(j) / float(n));
         const bool edge = i == 0 || j == 0 || i == n || j == n;
         return edge ? p : p + up * (height * (0.7f * waves(p * 6.0f) + 0.3f * waves(p * 23.0f)));
     };
     for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) add_quad(out, vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+        for (int j = 0; j < n; ++j)
+            add_quad(out, vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
     }
 }
 
@@ -99,8 +102,9 @@ BenchScene big_scene() {
     scene.name = "big";
     add_room(scene, {5, 2.5f, 5}, 70, 0.06f);
     Triangles& out = scene.triangles;
-    const glm::vec3 places[] = {{-2.6f, 1, -2.4f}, {0.2f, 0.9f, -2.8f}, {2.7f, 1.1f, -2.2f}, {-1.4f, 0.7f, -0.2f},
-                                {1.5f, 0.8f, 0.1f}, {3.2f, 0.7f, 1.6f}, {-3.2f, 0.8f, 1.4f}, {0.1f, 3.4f, -1.5f}};
+    const glm::vec3 places[] = {{-2.6f, 1, -2.4f},    {0.2f, 0.9f, -2.8f}, {2.7f, 1.1f, -2.2f},
+                                {-1.4f, 0.7f, -0.2f}, {1.5f, 0.8f, 0.1f},  {3.2f, 0.7f, 1.6f},
+                                {-3.2f, 0.8f, 1.4f},  {0.1f, 3.4f, -1.5f}};
     float frequency = 2.5f;
     for (const glm::vec3& place : places) add_blob(out, place, 0.85f, 120, 0.22f, frequency += 0.6f);
     add_foliage(out, {-3.4f, 2.6f, -3.2f}, 1.2f, 8000, 1);
@@ -120,7 +124,8 @@ BenchScene load_scene(const std::string& path) {
         for (const glm::uvec3& corners : mesh.triangles) {
             bvh::Triangle triangle;
             for (int k = 0; k < 3; ++k)
-                triangle.vertices[k] = glm::vec3(instance.to_world * glm::vec4(mesh.positions[corners[k]], 1));
+                triangle.vertices[k] =
+                    glm::vec3(instance.to_world * glm::vec4(mesh.positions[corners[k]], 1));
             scene.triangles.push_back(triangle);
         }
     }

@@ -58,7 +58,8 @@ struct EmbreeTracer::Impl {
     }
 };
 
-EmbreeTracer::EmbreeTracer(std::span<const shared::TriangleRecord> triangles) : impl_(std::make_unique<Impl>()) {
+EmbreeTracer::EmbreeTracer(std::span<const shared::TriangleRecord> triangles)
+    : impl_(std::make_unique<Impl>()) {
     if (impl_->device == nullptr) throw Error("embree: cannot create a device");
     impl_->scene = rtcNewScene(impl_->device);
     RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);

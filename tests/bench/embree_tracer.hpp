@@ -17,7 +17,8 @@ struct EmbreeHit {
 
 class EmbreeTracer {
   public:
-    explicit EmbreeTracer(std::span<const shared::TriangleRecord> triangles); // hits name triangles by this order
+    explicit EmbreeTracer(
+        std::span<const shared::TriangleRecord> triangles); // hits name triangles by this order
     ~EmbreeTracer();
     EmbreeTracer(const EmbreeTracer&) = delete;
     EmbreeTracer& operator=(const EmbreeTracer&) = delete;

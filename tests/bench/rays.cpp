@@ -14,8 +14,8 @@ std::uint32_t compact(std::uint32_t code) {
     return out;
 }
 
-// Where a path ended: slightly on the side it came from, so that a tracer without exclusion does not find the same
-// surface again. Both tracers start there.
+// Where a path ended: slightly on the side it came from, so that a tracer without exclusion does not find the
+// same surface again. Both tracers start there.
 struct Departure {
     glm::vec3 position;
     glm::vec3 normal;
@@ -48,7 +48,8 @@ std::vector<shared::PathState> primary_rays(const BenchScene& scene, std::uint32
 }
 
 std::vector<shared::PathState> bounce_rays(std::span<const shared::PathState> hits,
-                                           std::span<const shared::TriangleRecord> triangles, std::uint32_t seed) {
+                                           std::span<const shared::TriangleRecord> triangles,
+                                           std::uint32_t seed) {
     test::Random random(seed);
     std::vector<shared::PathState> rays;
     for (const shared::PathState& hit : hits) {
@@ -64,7 +65,8 @@ std::vector<shared::PathState> bounce_rays(std::span<const shared::PathState> hi
 }
 
 std::vector<shared::ShadowRay> shadow_rays(const BenchScene& scene, std::span<const shared::PathState> hits,
-                                           std::span<const shared::TriangleRecord> triangles, std::uint32_t seed) {
+                                           std::span<const shared::TriangleRecord> triangles,
+                                           std::uint32_t seed) {
     test::Random random(seed);
     std::vector<shared::ShadowRay> rays;
     for (const shared::PathState& hit : hits) {

@@ -14,10 +14,12 @@ std::vector<shared::PathState> primary_rays(const BenchScene& scene, std::uint32
 
 // From where `hits` ended: a cosine-distributed direction each. Misses make no ray.
 std::vector<shared::PathState> bounce_rays(std::span<const shared::PathState> hits,
-                                           std::span<const shared::TriangleRecord> triangles, std::uint32_t seed);
+                                           std::span<const shared::TriangleRecord> triangles,
+                                           std::uint32_t seed);
 
 // From there to a random point of the light.
 std::vector<shared::ShadowRay> shadow_rays(const BenchScene& scene, std::span<const shared::PathState> hits,
-                                           std::span<const shared::TriangleRecord> triangles, std::uint32_t seed);
+                                           std::span<const shared::TriangleRecord> triangles,
+                                           std::uint32_t seed);
 
 } // namespace ajar::bench

@@ -1,5 +1,5 @@
-// Materials and textures on the device as a test wants them, read both ways (texel buffers and pointers), and the
-// functions of shaders/material over many texture coordinates (shaders/material_functions.comp).
+// Materials and textures on the device as a test wants them, read both ways (texel buffers and pointers), and
+// the functions of shaders/material over many texture coordinates (shaders/material_functions.comp).
 #pragma once
 
 #include "shaders/material_functions.glsl.h"

@@ -1,4 +1,5 @@
-// Materials: factors times textures (glTF 2.0, 3.9), alpha modes, normal maps; with and without the features compiled in.
+// Materials: factors times textures (glTF 2.0, 3.9), alpha modes, normal maps; with and without the features
+// compiled in.
 #include "material_functions.hpp"
 
 #include <cmath>

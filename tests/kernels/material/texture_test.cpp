@@ -1,4 +1,5 @@
-// Textures against a reference in double that wraps whole texel numbers: every wrap, filter, size and transform.
+// Textures against a reference in double that wraps whole texel numbers: every wrap, filter, size and
+// transform.
 #include "material_functions.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The closest hit by brute force: the kernels' own watertight test (Woop, Benthin, Wald 2013), on the CPU, on every
-// triangle. Floats round the same way on both sides, so hits must agree in every bit.
+// The closest hit by brute force: the kernels' own watertight test (Woop, Benthin, Wald 2013), on the CPU, on
+// every triangle. Floats round the same way on both sides, so hits must agree in every bit.
 #pragma once
 
 #include "shaders/shared/bvh.glsl.h"
@@ -43,24 +43,24 @@ class ReferenceRay {
         if (determinant == 0) return;
         const float inverse = 1.0f / determinant;
         const float t = (u * a.z + v * b.z + w * c.z) * shear_.z * inverse;
-        const float reach = std::max(std::abs(a.z), std::max(std::abs(b.z), std::abs(c.z))) * std::abs(shear_.z);
+        const float reach =
+            std::max(std::abs(a.z), std::max(std::abs(b.z), std::abs(c.z))) * std::abs(shear_.z);
         if (!(t > reach * shared::TRIANGLE_T_ERROR)) return;
-        const bool closer = t < hit.t || (t == hit.t && hit.triangle != shared::NO_TRIANGLE && index < hit.triangle);
+        const bool closer =
+            t < hit.t || (t == hit.t && hit.triangle != shared::NO_TRIANGLE && index < hit.triangle);
         if (closer) hit = {t, index, v * inverse, w * inverse};
     }
 
   private:
-    glm::vec3 permute(const glm::vec3& p) const {
-        return {p[(main_ + 1) % 3], p[(main_ + 2) % 3], p[main_]};
-    }
+    glm::vec3 permute(const glm::vec3& p) const { return {p[(main_ + 1) % 3], p[(main_ + 2) % 3], p[main_]}; }
 
     glm::vec3 origin_;
     glm::vec3 shear_;
     int main_ = 2;
 };
 
-inline ReferenceHit reference_closest(std::span<const shared::TriangleRecord> triangles, const glm::vec3& origin,
-                                      const glm::vec3& direction) {
+inline ReferenceHit reference_closest(std::span<const shared::TriangleRecord> triangles,
+                                      const glm::vec3& origin, const glm::vec3& direction) {
     const ReferenceRay ray(origin, direction);
     ReferenceHit hit;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) ray.test(triangles[i], i, hit);

@@ -60,9 +60,10 @@ inline glm::vec3 random_target(Random& random, const bvh::Triangle& triangle) {
     }
 }
 
-// Rays of every kind: free, aimed at triangles, along axes, starting outside, inside and in the plane of a triangle.
-inline std::vector<shared::PathState> random_rays(const std::vector<bvh::Triangle>& triangles, std::uint32_t count,
-                                                  std::uint32_t seed) {
+// Rays of every kind: free, aimed at triangles, along axes, starting outside, inside and in the plane of a
+// triangle.
+inline std::vector<shared::PathState> random_rays(const std::vector<bvh::Triangle>& triangles,
+                                                  std::uint32_t count, std::uint32_t seed) {
     Random random(seed);
     std::vector<shared::PathState> rays;
     while (rays.size() < count) {
@@ -82,7 +83,8 @@ inline std::vector<shared::PathState> random_rays(const std::vector<bvh::Triangl
             break;
         }
         case 2: // grazing: the origin lies in the triangle's plane
-            origin = triangle.vertices[0] + uniform(random, -3, 3) * (triangle.vertices[1] - triangle.vertices[0]);
+            origin =
+                triangle.vertices[0] + uniform(random, -3, 3) * (triangle.vertices[1] - triangle.vertices[0]);
             direction = target - origin;
             break;
         case 3: direction[int(random() % 3)] = random() % 2 ? 0.0f : -1e-30f; break;

@@ -8,9 +8,10 @@ namespace {
 
 using namespace shared;
 
-gpu::Specialization specialization(const gpu::Device& device, const TraceScene& scene, const RigOptions& options,
-                                   std::uint32_t option) {
-    const std::uint32_t workgroup = options.workgroup_size != 0 ? options.workgroup_size : device.workgroup_size();
+gpu::Specialization specialization(const gpu::Device& device, const TraceScene& scene,
+                                   const RigOptions& options, std::uint32_t option) {
+    const std::uint32_t workgroup =
+        options.workgroup_size != 0 ? options.workgroup_size : device.workgroup_size();
     const std::uint32_t features = options.features | (scene.placements.empty() ? 0 : FEATURE_INSTANCES);
     return {{SPEC_WORKGROUP_SIZE, workgroup},
             {SPEC_SEGMENT_SIZE, options.segment_size},
@@ -25,7 +26,8 @@ double process_seconds() {
     return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
-template <class T> gpu::Buffer upload(const gpu::Device& device, const std::vector<T>& values, std::string_view label) {
+template <class T>
+gpu::Buffer upload(const gpu::Device& device, const std::vector<T>& values, std::string_view label) {
     gpu::Buffer buffer(device, std::max<std::size_t>(values.size() * sizeof(T), 16), label);
     buffer.write(std::span<const T>(values));
     return buffer;
@@ -42,7 +44,8 @@ InstanceRecord instance_record(const bvh::Placement& placement, std::uint32_t ro
     InstanceRecord record{};
     for (int row = 0; row < 3; ++row) {
         record.to_world[row] = placement.to_world[row];
-        for (int column = 0; column < 4; ++column) record.to_object[row][column] = float(inverse[column][row]);
+        for (int column = 0; column < 4; ++column)
+            record.to_object[row][column] = float(inverse[column][row]);
     }
     record.root = root;
     record.flags = glm::determinant(glm::dmat3(m)) < 0 ? INSTANCE_FLIPPED : 0;
@@ -84,7 +87,8 @@ void TraceRig::fill_tables(const TraceScene& scene) {
     const glm::vec4 x(1, 0, 0, 0), y(0, 1, 0, 0), z(0, 0, 1, 0);
     instances_.push_back(instance_record({0, {x, y, z}}, bvh_.meshes[0].root));
     for (const std::uint32_t p : bvh_.placement_order)
-        instances_.push_back(instance_record(scene.placements[p], bvh_.meshes[scene.placements[p].mesh].root));
+        instances_.push_back(
+            instance_record(scene.placements[p], bvh_.meshes[scene.placements[p].mesh].root));
 }
 
 SegmentArgs TraceRig::begin(std::size_t rays, bool shadows) {

@@ -1,4 +1,5 @@
-// Runs the production kernels extend and connect on rays of the caller's choice, over a scene of plain triangles.
+// Runs the production kernels extend and connect on rays of the caller's choice, over a scene of plain
+// triangles.
 #pragma once
 
 #include "bvh/bvh.hpp"

@@ -8,7 +8,8 @@ DUAL_BEGIN
 
 const uint BSDF_SAMPLE = 0; // in: u, u_lobe. Out: wi, pdf; weight, delta (0 or 1)
 const uint BSDF_EVAL = 1;   // in: wo; wi. Out: f, pdf
-// In: a cell s0, s1, t0, t1 of [0, 1]^2, in which s stands for a polar angle and t 2 pi for an azimuth. Out: integrals
+// In: a cell s0, s1, t0, t1 of [0, 1]^2, in which s stands for a polar angle and t 2 pi for an azimuth. Out:
+// integrals
 // of f cos (red) and of the pdf over the cell's directions wi.
 const uint BSDF_INTEGRATE_DIRECTION = 2; // of wi: theta = s pi / 2
 const uint BSDF_INTEGRATE_HALF = 3; // of the half vector: theta = alpha ((1 + pi / (2 alpha))^s - 1)

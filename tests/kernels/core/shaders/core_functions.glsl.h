@@ -19,7 +19,8 @@ const uint CORE_FILTER_BLACKMAN_HARRIS = 8;
 const uint CORE_SAMPLER = 9;
 const uint CORE_SOBOL = 10;     // in: index. Out: reversed second dimension (uint)
 const uint CORE_SCRAMBLE = 11;  // in: x, seed. Out: scrambled (uint)
-const uint CORE_HASH = 12;      // in: x, y. Out: hash(x), combine(x, y), hash_to_float(x), salted_float(x, y, z)
+// In: x, y. Out: hash(x), combine(x, y), hash_to_float(x), salted_float(x, y, z)
+const uint CORE_HASH = 12;
 const uint CORE_SRGB = 13;      // in: three values. Out: decoded
 const uint CORE_OCTAHEDRAL = 14; // in: code. Out: vector
 const uint CORE_FRAME = 15;     // in: n. Out: t and nothing
