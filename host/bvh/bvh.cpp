@@ -48,11 +48,11 @@ std::vector<Box> triangle_boxes(std::span<const Triangle> triangles) {
 Box place(const shared::BvhNode& root, const glm::vec4 (&to_world)[3]) {
     constexpr double ROUNDING = 1.0 / (1 << 20);
     Box placed;
-    if (root.exponents >> 24 == 0 && root.leaves == 0) // nothing in it: any place will do
+    if (root.inner_orders == 0 && root.leaves == 0) // nothing in it: any place will do
         placed.include(glm::vec3(to_world[0][3], to_world[1][3], to_world[2][3]));
     for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
-        const std::uint32_t used = root.exponents >> 24 | root.leaves;
-        if ((used >> slot & 1) == 0) continue;
+        if ((root.inner_orders >> slot & 1) == 0 && (root.leaves >> (shared::BVH_MAX_LEAF * slot) & 1) == 0)
+            continue;
         const Box box = decode_slot(root, slot);
         for (int corner = 0; corner < 8; ++corner) {
             glm::vec3 lower, upper;
@@ -85,7 +85,7 @@ std::uint32_t append(SceneBvh& scene, const Bvh& bvh, std::uint32_t first_triang
         throw Error(
             fmt::format("scene: hierarchy: more than {} nodes (use fewer triangles)", shared::BVH_MAX_NODES));
     for (shared::BvhNode node : bvh.nodes) {
-        node.child_base += std::uint32_t(base);
+        node.child_base += std::uint32_t(base) << 8;
         node.triangle_base += first_triangle;
         scene.nodes.push_back(node);
     }
@@ -93,6 +93,19 @@ std::uint32_t append(SceneBvh& scene, const Bvh& bvh, std::uint32_t first_triang
 }
 
 } // namespace
+
+shared::TriangleRecord make_record(const Triangle& triangle, std::uint32_t flags, std::uint32_t material,
+                                   std::uint32_t object) {
+    const glm::dvec3 first = triangle.vertices[0];
+    const glm::dvec3 twice_area =
+        glm::cross(glm::dvec3(triangle.vertices[1]) - first, glm::dvec3(triangle.vertices[2]) - first);
+    // Vertices on a line: rounding could make a hit of it, so it becomes a point, which no ray meets.
+    const bool degenerate = twice_area == glm::dvec3(0);
+    const glm::vec3 v[3] = {triangle.vertices[0], triangle.vertices[degenerate ? 0 : 1],
+                            triangle.vertices[degenerate ? 0 : 2]};
+    return {{v[0].x, v[1].x, v[2].x}, flags, {v[0].y, v[1].y, v[2].y}, material,
+            {v[0].z, v[1].z, v[2].z}, object};
+}
 
 Bvh build_bvh(std::span<const Triangle> triangles, const BuildOptions& options) {
     const auto start = std::chrono::steady_clock::now();

@@ -18,6 +18,13 @@ struct Triangle {
     glm::vec3 vertices[3];
 };
 
+// A triangle as the kernels read it, and back.
+shared::TriangleRecord make_record(const Triangle& triangle, std::uint32_t flags, std::uint32_t material,
+                                   std::uint32_t object);
+inline glm::vec3 record_vertex(const shared::TriangleRecord& record, int k) {
+    return {record.x[k], record.y[k], record.z[k]};
+}
+
 // Costs in units of one node visit; they steer quality only.
 struct BuildOptions {
     std::uint32_t max_leaf_triangles = 3; // 1 to 3

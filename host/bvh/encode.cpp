@@ -50,15 +50,77 @@ std::uint32_t bits_of(const WideChildren& children, ChildKind kind) {
     return bits;
 }
 
+// Bit s of a mask of slots moved to s ^ key.
+std::uint32_t order_bits(std::uint32_t slots, std::uint32_t key) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot)
+        bits |= (slots >> slot & 1) << (slot ^ key);
+    return bits;
+}
+
+// Finds places for children, which lie at base + slot: slots without an inner child leave gaps, and other
+// nodes' children go into them (row displacement, as in the packing of sparse tables). Old gaps are given up,
+// so that nodes that are near in the tree stay near in memory.
+class Places {
+  public:
+    // The base for children in the slots of `mask`.
+    std::uint32_t take(std::uint32_t mask) {
+        std::uint32_t base = std::uint32_t(used_.size()) > REACH ? std::uint32_t(used_.size()) - REACH : 1;
+        while (collides(base, mask)) ++base;
+        if (used_.size() < base + shared::BVH_WIDTH) used_.resize(base + shared::BVH_WIDTH);
+        for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
+            if (mask >> slot & 1) used_[base + slot] = true, end_ = std::max(end_, base + slot + 1);
+        }
+        return base;
+    }
+    std::uint32_t end() const { return end_; }
+
+  private:
+    static constexpr std::uint32_t REACH = 64;
+
+    bool collides(std::uint32_t base, std::uint32_t mask) const {
+        for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
+            if ((mask >> slot & 1) != 0 && base + slot < used_.size() && used_[base + slot]) return true;
+        }
+        return false;
+    }
+
+    std::vector<bool> used_ = {true}; // place 0: the root
+    std::uint32_t end_ = 1;
+};
+
+// A wide node on its way into the table.
+struct WideNode {
+    WideChildren children;                                   // in their slots
+    std::uint32_t node = 0;                                  // the binary node it was
+    std::uint32_t first_item = 0;                            // of its own leaves, in leaf order
+    std::uint32_t base = 0;                                  // place of slot 0
+    std::array<std::uint32_t, shared::BVH_WIDTH> ordinals{}; // of inner children
+};
+
 class Encoder {
   public:
     Encoder(const BinaryTree& tree, const Collapse& collapse, Bvh& bvh)
-        : tree_(tree), collapse_(collapse), bvh_(bvh), below_(tree.nodes.size()) {}
+        : tree_(tree), collapse_(collapse), bvh_(bvh), counts_(tree.nodes.size()) {}
 
     void run() {
-        bvh_.nodes.resize(1 + count_below(0, 1));
+        wide_.resize(count(0, 1));
+        collect(0, 0, 0);
+        // Places depend on all nodes before: the only step that one thread does alone.
+        std::vector<std::uint32_t> place(wide_.size());
+        Places places;
+        for (WideNode& wide : wide_) {
+            const std::uint32_t inner = bits_of(wide.children, ChildKind::inner);
+            if (inner == 0) continue;
+            wide.base = places.take(inner);
+            for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
+                if (inner >> slot & 1) place[wide.ordinals[slot]] = wide.base + slot;
+            }
+        }
+        bvh_.nodes.assign(places.end(), {});
         bvh_.order.resize(tree_.order.size());
-        write(0, 0, 1, 0);
+        tbb::parallel_for(std::size_t(0), wide_.size(),
+                          [&](std::size_t i) { write(wide_[i], bvh_.nodes[place[i]]); });
         bvh_.stats.depth = depth_;
     }
 
@@ -75,43 +137,56 @@ class Encoder {
         }
     }
 
-    // Wide nodes below the wide node that binary node `node` becomes; remembered for write().
-    std::uint32_t count_below(std::uint32_t node, std::uint32_t depth) {
+    // Wide nodes of the wide node that binary node `node` becomes and below it; remembered for collect().
+    std::uint32_t count(std::uint32_t node, std::uint32_t depth) {
         const WideChildren children = collapse_.children(node);
-        std::uint32_t counts[shared::BVH_WIDTH] = {};
-        each_inner(children, tree_.nodes[node].count, [&](std::uint32_t slot) {
-            counts[slot] = 1 + count_below(children[slot].node, depth + 1);
-        });
+        std::uint32_t below[shared::BVH_WIDTH] = {};
+        each_inner(children, tree_.nodes[node].count,
+                   [&](std::uint32_t slot) { below[slot] = count(children[slot].node, depth + 1); });
         std::uint32_t deepest = depth_;
         while (deepest < depth && !depth_.compare_exchange_weak(deepest, depth)) {}
-        return below_[node] = std::accumulate(std::begin(counts), std::end(counts), 0u);
+        return counts_[node] = std::accumulate(std::begin(below), std::end(below), 1u);
     }
 
-    // Writes node `index` and what is below it: nodes from `next_node` on, items from `next_item` on.
-    void write(std::uint32_t node, std::uint32_t index, std::uint32_t next_node, std::uint32_t next_item) {
-        const WideChildren children = arrange(tree_, node, collapse_.children(node));
-        shared::BvhNode& out = bvh_.nodes[index];
-        out = {};
-        out.child_base = next_node;
-        out.triangle_base = next_item;
-        write_boxes(tree_.nodes[node].box, children, out);
-        next_item = write_leaves(children, next_item, out);
-
-        const std::uint32_t inner = bits_of(children, ChildKind::inner);
-        out.exponents |= inner << 24;
-        next_node += std::uint32_t(std::popcount(inner));
-        struct Place {
-            std::uint32_t index, next_node, next_item;
-        } places[shared::BVH_WIDTH] = {};
-        for (std::uint32_t slot = 0, rank = 0; slot < shared::BVH_WIDTH; ++slot) {
-            if (children[slot].kind != ChildKind::inner) continue;
-            places[slot] = {out.child_base + rank++, next_node, next_item};
-            next_node += below_[children[slot].node];
-            next_item += tree_.nodes[children[slot].node].count;
+    // Fills wide_ from `ordinal` on, depth first.
+    void collect(std::uint32_t node, std::uint32_t ordinal, std::uint32_t first_item) {
+        WideNode& wide = wide_[ordinal];
+        wide.children = arrange(tree_, node, collapse_.children(node));
+        wide.node = node;
+        wide.first_item = first_item;
+        for (const WideChild& child : wide.children) {
+            if (child.kind == ChildKind::leaf) first_item += tree_.nodes[child.node].count;
         }
-        each_inner(children, tree_.nodes[node].count, [&](std::uint32_t slot) {
-            write(children[slot].node, places[slot].index, places[slot].next_node, places[slot].next_item);
+        std::array<std::uint32_t, shared::BVH_WIDTH> items{};
+        for (std::uint32_t slot = 0, next = ordinal + 1; slot < shared::BVH_WIDTH; ++slot) {
+            const WideChild& child = wide.children[slot];
+            if (child.kind != ChildKind::inner) continue;
+            wide.ordinals[slot] = next;
+            items[slot] = first_item;
+            next += counts_[child.node];
+            first_item += tree_.nodes[child.node].count;
+        }
+        each_inner(wide.children, tree_.nodes[node].count, [&](std::uint32_t slot) {
+            collect(wide.children[slot].node, wide.ordinals[slot], items[slot]);
         });
+    }
+
+    void write(const WideNode& wide, shared::BvhNode& out) {
+        const std::uint32_t inner = bits_of(wide.children, ChildKind::inner);
+        out.inner_orders =
+            inner | order_bits(inner, 1) << 8 | order_bits(inner, 2) << 16 | order_bits(inner, 3) << 24;
+        out.child_base = wide.base << 8;
+        out.triangle_base = wide.first_item;
+        std::uint32_t item = wide.first_item;
+        for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
+            if (wide.children[slot].kind != ChildKind::leaf) continue;
+            const BinaryNode& leaf = tree_.nodes[wide.children[slot].node];
+            for (std::uint32_t k = 0; k < leaf.count; ++k) {
+                out.leaves |= 1u << (shared::BVH_MAX_LEAF * slot + k);
+                bvh_.order[item++] = tree_.order[leaf.first + k];
+            }
+        }
+        write_boxes(tree_.nodes[wide.node].box, wide.children, out);
     }
 
     void write_boxes(const Box& box, const WideChildren& children, shared::BvhNode& out) const {
@@ -130,23 +205,11 @@ class Encoder {
         }
     }
 
-    // First triangles of all leaves, then the second ones, then the third: the order of the bits in `leaves`.
-    std::uint32_t write_leaves(const WideChildren& children, std::uint32_t next_item, shared::BvhNode& out) {
-        for (std::uint32_t k = 0; k < shared::BVH_MAX_LEAF; ++k) {
-            for (std::uint32_t slot = 0; slot < shared::BVH_WIDTH; ++slot) {
-                const BinaryNode& leaf = tree_.nodes[children[slot].node];
-                if (children[slot].kind != ChildKind::leaf || leaf.count <= k) continue;
-                out.leaves |= 1u << (slot + k * shared::BVH_WIDTH);
-                bvh_.order[next_item++] = tree_.order[leaf.first + k];
-            }
-        }
-        return next_item;
-    }
-
     const BinaryTree& tree_;
     const Collapse& collapse_;
     Bvh& bvh_;
-    std::vector<std::uint32_t> below_;
+    std::vector<std::uint32_t> counts_; // by binary node
+    std::vector<WideNode> wide_;        // depth first
     std::atomic<std::uint32_t> depth_ = 0;
 };
 

@@ -30,9 +30,9 @@ std::vector<EmissiveTriangle> collect_emissive_triangles(const Scene& scene, con
         const Material& material = scene.materials[t.material];
         if (material.unlit || material.emission == glm::vec3(0)) continue;
         EmissiveTriangle e;
-        e.p0 = t.p0;
-        e.p1 = t.p1;
-        e.p2 = t.p2;
+        e.p0 = bvh::record_vertex(t, 0);
+        e.p1 = bvh::record_vertex(t, 1);
+        e.p2 = bvh::record_vertex(t, 2);
         e.area = 0.5f * glm::length(glm::cross(e.p1 - e.p0, e.p2 - e.p0));
         if (!(e.area > 0)) continue;
         e.triangle = k;

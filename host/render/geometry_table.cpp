@@ -95,9 +95,8 @@ void fill_records(GeometryTable& table, const Scene& scene, const GeometryOption
                 const std::uint32_t material = mesh.triangle_materials[source.triangle];
                 const bvh::Triangle& vertices = parts[p].triangles[from];
                 const bool alpha = needs_alpha_test(scene.materials[material], options.cull_backfaces);
-                table.triangles[k] = {vertices.vertices[0], alpha ? TRIANGLE_ALPHA : 0u,
-                                      vertices.vertices[1], material,
-                                      vertices.vertices[2], source.instance};
+                table.triangles[k] =
+                    bvh::make_record(vertices, alpha ? TRIANGLE_ALPHA : 0u, material, source.instance);
                 table.sources[k] = source;
                 const glm::mat4 to_frame = p == 0 ? instance.to_world : glm::mat4(1);
                 write_surface_words(mesh, source.triangle, to_frame, source.instance,

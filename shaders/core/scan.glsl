@@ -16,6 +16,13 @@ struct Scan {
     uint total;  // keepers in the workgroup
 };
 
+#ifdef AJAR_SUBGROUP
+uint scan_step(uint sum, uint lane, uint step) {
+    uint other = subgroupShuffle(sum, (lane - step) & (WORKGROUP_SIZE - 1u));
+    return sum + (lane >= step ? other : 0u);
+}
+#endif
+
 // All threads of the workgroup must call it, under uniform control flow. Reads before the call are done
 // before any thread's writes after it.
 Scan scan_keepers(bool keep) {
@@ -23,10 +30,14 @@ Scan scan_keepers(bool keep) {
 #ifdef AJAR_SUBGROUP
     uint lane = gl_SubgroupInvocationID;
     uint sum = keep ? 1u : 0u;
-    for (uint step = 1u; step < WORKGROUP_SIZE; step <<= 1) {
-        uint other = subgroupShuffle(sum, (lane - step) & (WORKGROUP_SIZE - 1u));
-        sum += lane >= step ? other : 0u;
-    }
+    // Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
+    if (WORKGROUP_SIZE > 1u) sum = scan_step(sum, lane, 1u);
+    if (WORKGROUP_SIZE > 2u) sum = scan_step(sum, lane, 2u);
+    if (WORKGROUP_SIZE > 4u) sum = scan_step(sum, lane, 4u);
+    if (WORKGROUP_SIZE > 8u) sum = scan_step(sum, lane, 8u);
+    if (WORKGROUP_SIZE > 16u) sum = scan_step(sum, lane, 16u);
+    if (WORKGROUP_SIZE > 32u) sum = scan_step(sum, lane, 32u);
+    if (WORKGROUP_SIZE > 64u) sum = scan_step(sum, lane, 64u);
     scan.before = sum - (keep ? 1u : 0u);
     scan.total = subgroupShuffle(sum, WORKGROUP_SIZE - 1u);
 #else

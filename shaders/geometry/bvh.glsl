@@ -1,6 +1,5 @@
-// Closest hit and any hit of one ray per thread: the portable traversal. Every loop is bounded: lavapipe
-// (Mesa 22.3) ends all loops of an invocation after 65,535 iterations, silently; rays that run out here are
-// counted.
+// Walking a hierarchy with one ray per thread, step by step; bvh_trace.glsl makes loops of the steps. Which
+// steps are taken together shows in no hit: equal distances go to the lower triangle.
 #ifndef AJAR_BVH_GLSL
 #define AJAR_BVH_GLSL
 #include "alpha.glsl"
@@ -14,182 +13,213 @@ struct Hit {
     uint instance;
     float u;
     float v;
-    bool exhausted; // the answer may be wrong: the iteration bound was reached
 };
 
 struct BvhRay {
     vec3 origin;
     vec3 direction;
-    float limit;            // hits at or beyond it do not count
-    uint triangle;          // never hit: the triangle the ray leaves
+    float limit;   // hits at or beyond it do not count
+    uint triangle; // never hit: the triangle the ray leaves
     uint instance;
-    uint target_triangle;   // never hit: the one it aims at
+    uint target_triangle; // never hit: the one it aims at
     uint target_instance;
     uint salt;
 };
 
-// Iterations per ray that keep all rays of an invocation below the driver's limit, setup loops included.
-uint bvh_step_limit() { return clamp(60000u * WORKGROUP_SIZE / SEGMENT_SIZE, 64u, 16384u); }
-
-// What a traversal has still to do.
+// What is still to do.
 struct BvhCursor {
-    uint child_base;
-    uint pending;       // inner hits in order of the octant | inner slots << 8
+    uint group; // nodes, as in NodeHits
     uint triangle_base;
     uint leaves;
-    uint leaf_hits;
+    uint leaf_hits; // triangles, or instances in the hierarchy over instances
 };
-
-const float BVH_FAR = 3.0e38; // finite, so that a limit times a margin is
 
 #define BVH_STACK (2u * BVH_MAX_DEPTH + 1u)
 const uint BVH_NO_INSTANCE = 0xffffffffu; // in the hierarchy over instances
+const float BVH_FAR = 3.0e38;             // finite, so that a limit times a margin is
 
-// The frame in which the ray is at the moment.
-struct BvhFrame {
+// Groups whose turn comes later. Where the hierarchy is shallow, as almost always, they are in registers, the
+// next one first: on lavapipe moving all of them costs less than one store to a different place for every
+// thread.
+const uint BVH_REGISTERS = 12; // at most BVH_SHALLOW_DEPTH - 2 groups wait at a time
+uint bvh_stack[BVH_STACK];     // elsewhere; the next one last. In two-level scenes each level has its part
+bool bvh_shallow() { return !has_feature(FEATURE_INSTANCES | FEATURE_DEEP); }
+
+// A ray under way, in the frame in which it is at the moment.
+struct BvhWalk {
     BoxRay box;
     TriangleRay shear;
     uint instance;
-    uint floor;    // stack entries below it belong to the hierarchy over instances
+    BvhCursor cursor;
+    uint waiting[BVH_REGISTERS];
+    uint depth;      // entries on bvh_stack
+    uint floor;      // those below belong to the hierarchy over instances
+    BvhCursor above; // the leaf there from which the ray came into this instance
+    Hit hit;
 };
 
-BvhFrame bvh_frame(vec3 origin, vec3 direction, uint instance, uint floor) {
-    return BvhFrame(box_ray(origin, direction), triangle_ray(origin, direction), instance, floor);
+bool bvh_has_nodes(BvhWalk walk) { return (walk.cursor.group & 0xffu) != 0u; }
+bool bvh_has_leaves(BvhWalk walk) { return walk.cursor.leaf_hits != 0u; }
+bool bvh_wants_node(BvhWalk walk) { return bvh_has_nodes(walk) && !bvh_has_leaves(walk); }
+bool bvh_wants_triangle(BvhWalk walk) {
+    return bvh_has_leaves(walk) && (!has_feature(FEATURE_INSTANCES) || walk.instance != BVH_NO_INSTANCE);
 }
-
-// The direction keeps its length's meaning: t is the same in both frames.
-BvhFrame bvh_instance_frame(BvhRay ray, uint instance, uint floor) {
-    uint base = instance * INSTANCE_TEXELS + 3u;
-    vec4 x = uintBitsToFloat(fetch_instance(base));
-    vec4 y = uintBitsToFloat(fetch_instance(base + 1u));
-    vec4 z = uintBitsToFloat(fetch_instance(base + 2u));
-    vec4 o = vec4(ray.origin, 1.0);
-    return bvh_frame(vec3(dot(x, o), dot(y, o), dot(z, o)),
-                     vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction)),
-                         instance, floor);
-}
-
-uint bvh_root(uint instance) { return fetch_instance(instance * INSTANCE_TEXELS + 6u).x; }
+bool bvh_going(BvhWalk walk) { return bvh_has_nodes(walk) || bvh_has_leaves(walk); }
 
 // The group that holds nothing but a root.
-uint bvh_root_pending(uint octant) { return 1u << octant | 0x100u; }
+uint bvh_root_group(uint node, uint key) { return node << 8 | 1u << key; }
+uint bvh_root(uint instance) { return fetch_instance(instance * INSTANCE_TEXELS + 6u).x; }
 
-// Tries the lowest pending triangle. Equal distances go to the lower triangle, so no order of traversal
-// shows.
-void bvh_triangle(BvhRay ray, BvhFrame here, inout BvhCursor cursor, inout Hit hit) {
-    uint instance = here.instance;
-    uint bit = uint(findLSB(cursor.leaf_hits));
-    uint triangle = cursor.triangle_base + uint(bitCount(cursor.leaves & ((1u << bit) - 1u)));
-    cursor.leaf_hits &= cursor.leaf_hits - 1u;
-    uint base = triangle * TRIANGLE_TEXELS;
-    uvec4 a = fetch_triangle(base);
-    TriangleHit test = triangle_test(here.shear, uintBitsToFloat(a.xyz),
-        uintBitsToFloat(fetch_triangle(base + 1u).xyz),
-                                     uintBitsToFloat(fetch_triangle(base + 2u).xyz));
-    bool same_instance = !has_feature(FEATURE_INSTANCES) || instance == ray.instance;
-    bool same_target = !has_feature(FEATURE_INSTANCES) || instance == ray.target_instance;
-    bool excluded = (triangle == ray.triangle && same_instance) || (triangle == ray.target_triangle &&
-        same_target);
-    bool lower = triangle < hit.triangle;
-    if (has_feature(FEATURE_INSTANCES))
-        lower = instance < hit.instance || (instance == hit.instance && lower);
-    bool closer = test.t < hit.t || (test.t == hit.t && hit.triangle != NO_TRIANGLE && lower);
-    bool found = test.inside && closer && !excluded;
-    if (has_feature(FEATURE_ALPHA)) {
-        if (found && (a.w & TRIANGLE_ALPHA) != 0u) {
-            bool flipped = has_feature(FEATURE_INSTANCES) &&
-                           (fetch_instance(instance * INSTANCE_TEXELS + 6u).y & INSTANCE_FLIPPED) != 0u;
-            found = alpha_passes(triangle, instance, test.u, test.v, test.back_face != flipped, ray.salt);
-        }
-    }
-    hit.t = found ? test.t : hit.t;
-    hit.triangle = found ? triangle : hit.triangle;
-    hit.instance = found ? instance : hit.instance;
-    hit.u = found ? test.u : hit.u;
-    hit.v = found ? test.v : hit.v;
+void bvh_enter_frame(inout BvhWalk walk, vec3 origin, vec3 direction, uint instance) {
+    walk.box = box_ray(origin, direction);
+    walk.shear = triangle_ray(origin, direction);
+    walk.instance = instance;
 }
 
-Hit bvh_trace(BvhRay ray, const bool any_hit) {
-    const bool two_levels = has_feature(FEATURE_INSTANCES);
-    uint stack_base[BVH_STACK];
-    uint stack_pending[BVH_STACK];
-    uint depth = 0u;
-    BvhFrame here = bvh_frame(ray.origin, ray.direction, 0u, 0u);
-    BvhCursor cursor = BvhCursor(frame.root, bvh_root_pending(here.box.octant), 0u, 0u, 0u);
-    // The leaf in the hierarchy over instances from which the ray came into this instance
-    BvhCursor above = cursor;
-    if (two_levels) {
+BvhWalk bvh_begin(BvhRay ray) {
+    BvhWalk walk;
+    bvh_enter_frame(walk, ray.origin, ray.direction, 0u);
+    walk.cursor = BvhCursor(bvh_root_group(frame.root, walk.box.key), 0u, 0u, 0u);
+    walk.above = BvhCursor(0u, 0u, 0u, 0u);
+    for (uint i = 0u; i < BVH_REGISTERS; ++i) walk.waiting[i] = 0u;
+    walk.depth = 0u;
+    walk.floor = 0u;
+    walk.hit = Hit(ray.limit, NO_TRIANGLE, 0u, 0.0, 0.0);
+    if (has_feature(FEATURE_INSTANCES)) {
         // The world first; below it waits the hierarchy over instances.
-        stack_base[0] = cursor.child_base;
-        stack_pending[0] = cursor.pending;
-        depth = 1u;
-        here.floor = 1u;
-        cursor.child_base = bvh_root(0u);
+        bvh_stack[0] = walk.cursor.group;
+        walk.depth = 1u;
+        walk.floor = 1u;
+        walk.cursor.group = bvh_root_group(bvh_root(0u), walk.box.key);
     }
-    Hit hit = Hit(ray.limit, NO_TRIANGLE, 0u, 0.0, 0.0, false);
-    uint steps = 0u;
-    const uint limit = bvh_step_limit();
-    bool going = true;
-    while (going && steps < limit) {
-        while ((cursor.pending & 0xffu) != 0u && cursor.leaf_hits == 0u && steps < limit) {
-            ++steps;
-            uint order = uint(findLSB(cursor.pending));
-            uint slot = order ^ here.box.octant;
-            uint inner = cursor.pending >> 8;
-            uint node = cursor.child_base + uint(bitCount(inner & ((1u << slot) - 1u)));
-            uint rest = cursor.pending & ~(1u << order);
-            if ((rest & 0xffu) != 0u) {
-                stack_base[depth] = cursor.child_base;
-                stack_pending[depth] = rest;
-                ++depth;
-            }
-            NodeHits hits = box_node(node, here.box, box_min(hit.t, BVH_FAR) * BOX_FAR);
-            cursor = BvhCursor(hits.child_base, hits.inner_hits | hits.inner << 8, hits.triangle_base,
-                hits.leaves,
-                               hits.leaf_hits);
-            if (hits.inner_hits == 0u && depth > here.floor) {
-                --depth;
-                cursor.child_base = stack_base[depth];
-                cursor.pending = stack_pending[depth];
-            }
+    return walk;
+}
+
+void bvh_push(inout BvhWalk walk, uint group) {
+    bvh_stack[walk.depth] = group;
+    ++walk.depth;
+}
+
+void bvh_pop(inout BvhWalk walk) {
+    --walk.depth;
+    walk.cursor.group = bvh_stack[walk.depth];
+}
+
+// Visits the nearest pending node. Needs bvh_wants_node().
+void bvh_node_step(inout BvhWalk walk) {
+    uint group = walk.cursor.group;
+    uint order = uint(findMSB(group & 0xffu));
+    NodeHits hits =
+        box_node((group >> 8) + (order ^ walk.box.key), walk.box, box_min(walk.hit.t, BVH_FAR) * BOX_FAR);
+    uint rest = group & ~(1u << order);
+    bool deeper = (hits.group & 0xffu) != 0u;
+    bool more = (rest & 0xffu) != 0u;
+    walk.cursor = BvhCursor(deeper ? hits.group : rest, hits.triangle_base, hits.leaves, hits.leaf_hits);
+    bool pushes = deeper && more;
+    bool pops = !deeper && !more;
+    if (bvh_shallow()) {
+        walk.cursor.group = pops ? walk.waiting[0] : walk.cursor.group;
+        uint before = rest;
+        for (uint i = 0u; i < BVH_REGISTERS; ++i) {
+            uint now = walk.waiting[i];
+            uint after = i + 1u < BVH_REGISTERS ? walk.waiting[min(i + 1u, BVH_REGISTERS - 1u)] : 0u;
+            walk.waiting[i] = pushes ? before : pops ? after : now;
+            before = now;
         }
-        while (cursor.leaf_hits != 0u && here.instance != BVH_NO_INSTANCE && steps < limit) {
-            ++steps;
-            bvh_triangle(ray, here, cursor, hit);
-            if (any_hit && hit.triangle != NO_TRIANGLE) cursor.leaf_hits = 0u;
-        }
-        if (two_levels) {
-            ++steps;
-            bool finished = (cursor.pending & 0xffu) == 0u && cursor.leaf_hits == 0u;
-            if (finished && here.instance != BVH_NO_INSTANCE) { // back to the hierarchy over instances
-                here = bvh_frame(ray.origin, ray.direction, BVH_NO_INSTANCE, 0u);
-                cursor = above;
-                if (depth > 0u) {
-                    --depth;
-                    cursor.child_base = stack_base[depth];
-                    cursor.pending = stack_pending[depth];
-                }
-            }
-            if (here.instance == BVH_NO_INSTANCE && cursor.leaf_hits != 0u) { // into an instance
-                uint bit = uint(findLSB(cursor.leaf_hits));
-                uint instance = cursor.triangle_base + uint(bitCount(cursor.leaves & ((1u << bit) - 1u)));
-                cursor.leaf_hits &= cursor.leaf_hits - 1u;
-                if ((cursor.pending & 0xffu) != 0u) {
-                    stack_base[depth] = cursor.child_base;
-                    stack_pending[depth] = cursor.pending;
-                    ++depth;
-                }
-                above = cursor;
-                above.pending = 0u;
-                here = bvh_instance_frame(ray, instance, depth);
-                cursor = BvhCursor(bvh_root(instance), bvh_root_pending(here.box.octant), 0u, 0u, 0u);
-            }
-        }
-        going = (cursor.pending & 0xffu) != 0u || cursor.leaf_hits != 0u;
-        if (any_hit) going = going && hit.triangle == NO_TRIANGLE;
+    } else {
+        if (pushes) bvh_push(walk, rest);
+        if (pops && walk.depth > walk.floor) bvh_pop(walk);
     }
-    hit.exhausted = going;
-    return hit;
+}
+
+// Takes one pending leaf entry: its index.
+uint bvh_take_leaf(inout BvhWalk walk) {
+    uint bit = 1u << uint(findMSB(walk.cursor.leaf_hits));
+    walk.cursor.leaf_hits &= ~bit;
+    return walk.cursor.triangle_base + uint(bitCount(walk.cursor.leaves & (bit - 1u)));
+}
+
+bool bvh_excluded(BvhRay ray, uint triangle, uint instance, const bool any_hit) {
+    bool here = !has_feature(FEATURE_INSTANCES) || instance == ray.instance;
+    bool excluded = triangle == ray.triangle && here;
+    if (any_hit) {
+        bool there = !has_feature(FEATURE_INSTANCES) || instance == ray.target_instance;
+        excluded = excluded || (triangle == ray.target_triangle && there);
+    }
+    return excluded;
+}
+
+// Takes a triangle that was tested as the hit, if it is nearer than the present one.
+void bvh_accept(BvhRay ray, inout BvhWalk walk, uint triangle, uint flags, TriangleHit test,
+                const bool any_hit) {
+    bool lower = triangle < walk.hit.triangle;
+    if (has_feature(FEATURE_INSTANCES))
+        lower = walk.instance < walk.hit.instance || (walk.instance == walk.hit.instance && lower);
+    bool closer = test.t < walk.hit.t || (test.t == walk.hit.t && walk.hit.triangle != NO_TRIANGLE && lower);
+    if (any_hit) closer = test.t < walk.hit.t;
+    bool found = test.inside && closer && !bvh_excluded(ray, triangle, walk.instance, any_hit);
+    if (has_feature(FEATURE_ALPHA)) {
+        if (found && (flags & TRIANGLE_ALPHA) != 0u) {
+            bool flipped = has_feature(FEATURE_INSTANCES) &&
+                           (fetch_instance(walk.instance * INSTANCE_TEXELS + 6u).y & INSTANCE_FLIPPED) != 0u;
+            found =
+                alpha_passes(triangle, walk.instance, test.u, test.v, test.back_face != flipped, ray.salt);
+        }
+    }
+    walk.hit.triangle = found ? triangle : walk.hit.triangle;
+    if (any_hit) { // all there is to know: nothing is nearer than this
+        walk.hit.t = found ? -1.0 : walk.hit.t;
+    } else {
+        walk.hit.t = found ? test.t : walk.hit.t;
+        walk.hit.instance = found ? walk.instance : walk.hit.instance;
+        walk.hit.u = found ? test.u : walk.hit.u;
+        walk.hit.v = found ? test.v : walk.hit.v;
+    }
+}
+
+// Tries one pending triangle. Needs bvh_wants_triangle().
+void bvh_triangle_step(BvhRay ray, inout BvhWalk walk, const bool any_hit) {
+    uint triangle = bvh_take_leaf(walk);
+    uint base = triangle * TRIANGLE_TEXELS;
+    uvec4 x = fetch_triangle(base + walk.shear.texels.x);
+    uvec4 y = fetch_triangle(base + walk.shear.texels.y);
+    uvec4 z = fetch_triangle(base + walk.shear.texels.z);
+    TriangleHit test =
+        triangle_test(walk.shear, uintBitsToFloat(x.xyz), uintBitsToFloat(y.xyz), uintBitsToFloat(z.xyz));
+    uint flags = walk.shear.texels.x == 0u ? x.w : walk.shear.texels.y == 0u ? y.w : z.w;
+    bvh_accept(ray, walk, triangle, flags, test, any_hit);
+    if (any_hit && walk.hit.triangle != NO_TRIANGLE) {
+        walk.cursor.group = 0u;
+        walk.cursor.leaf_hits = 0u;
+    }
+}
+
+// Leaves an instance that is done with, enters the next one. t means the same in all frames: an object's
+// direction keeps the length that the transform gives it.
+void bvh_instance_step(BvhRay ray, inout BvhWalk walk, const bool any_hit) {
+    bool over = any_hit && walk.hit.triangle != NO_TRIANGLE;
+    if (!bvh_going(walk) && walk.instance != BVH_NO_INSTANCE && !over) {
+        bvh_enter_frame(walk, ray.origin, ray.direction, BVH_NO_INSTANCE);
+        walk.cursor = walk.above;
+        walk.floor = 0u;
+        if (walk.depth > 0u) bvh_pop(walk);
+    }
+    if (walk.instance == BVH_NO_INSTANCE && bvh_has_leaves(walk)) {
+        uint instance = bvh_take_leaf(walk);
+        if (bvh_has_nodes(walk)) bvh_push(walk, walk.cursor.group);
+        walk.above = walk.cursor;
+        walk.above.group = 0u;
+        walk.floor = walk.depth;
+        uint base = instance * INSTANCE_TEXELS + 3u;
+        vec4 x = uintBitsToFloat(fetch_instance(base));
+        vec4 y = uintBitsToFloat(fetch_instance(base + 1u));
+        vec4 z = uintBitsToFloat(fetch_instance(base + 2u));
+        vec4 o = vec4(ray.origin, 1.0);
+        bvh_enter_frame(walk, vec3(dot(x, o), dot(y, o), dot(z, o)),
+                        vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction)),
+                        instance);
+        walk.cursor = BvhCursor(bvh_root_group(bvh_root(instance), walk.box.key), 0u, 0u, 0u);
+    }
 }
 
 #endif

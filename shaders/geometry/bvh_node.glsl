@@ -6,48 +6,49 @@
 #include "../core/tables.glsl"
 #include "../shared/bvh.glsl.h"
 
-struct BoxRay {
-    vec3 origin;
-    vec3 inverse;  // 1 / direction; finite
-    uint octant;   // bit a: direction[a] < 0
-};
-
 // Below this a component counts as this: its reciprocal times a coordinate (up to 1e20) and a step must not
 // overflow.
 const float BOX_MIN_DIRECTION = 8.8817842e-16; // 2^-50
-// A few roundings at 2^-24 each, with room for inexact reciprocals
-const float BOX_FAR = 1.0 + 1.0 / 1048576.0;
+const float BOX_FAR =
+    1.0 + 1.0 / 1048576.0;       // a few roundings at 2^-24 each, with room for inexact reciprocals
+const float BOX_NEAR = -1.0e-30; // behind the origin only by name; 0 would compile to something slower
+
+struct BoxRay {
+    vec3 origin;
+    vec3 inverse;    // 1 / direction; finite
+    uint key;        // slot s is visited in the order of s ^ key, the highest first
+    uint key_shift;  // 8 * (key & 3): the byte of BvhNode::inner_orders
+    uint half_shift; // key & 4: swaps that byte's halves
+    uint bits[8];    // of slot s: 1 << (s ^ key) | 0x700 << 3 s
+};
 
 float box_inverse(float d) {
-    return 1.0 / (abs(d) < BOX_MIN_DIRECTION ? (floatBitsToInt(d) < 0 ? -BOX_MIN_DIRECTION :
-        BOX_MIN_DIRECTION) : d);
+    return 1.0 / (abs(d) < BOX_MIN_DIRECTION
+                      ? (floatBitsToInt(d) < 0 ? -BOX_MIN_DIRECTION : BOX_MIN_DIRECTION)
+                      : d);
+}
+
+void box_set_key(inout BoxRay ray, uint key) {
+    ray.key = key;
+    ray.key_shift = (key & 3u) << 3;
+    ray.half_shift = key & 4u;
+    for (uint s = 0u; s < 8u; ++s) ray.bits[s] = 1u << (s ^ key) | 0x700u << 3u * s;
 }
 
 BoxRay box_ray(vec3 origin, vec3 direction) {
     BoxRay ray;
     ray.origin = origin;
     ray.inverse = vec3(box_inverse(direction.x), box_inverse(direction.y), box_inverse(direction.z));
-    ray.octant = (ray.inverse.x < 0.0 ? 1u : 0u) | (ray.inverse.y < 0.0 ? 2u : 0u) | (ray.inverse.z < 0.0 ?
-        4u : 0u);
+    box_set_key(ray, (ray.inverse.x < 0.0 ? 0u : 1u) | (ray.inverse.y < 0.0 ? 0u : 2u) |
+                         (ray.inverse.z < 0.0 ? 0u : 4u));
     return ray;
 }
 
-// Swaps bits of the slots of a mask: slot s becomes bit s ^ octant, so the lowest bit is (roughly) the
-// nearest slot.
-uint box_to_order(uint mask, uint octant) {
-    mask = (octant & 1u) != 0u ? (mask & 0x55u) << 1 | (mask >> 1 & 0x55u) : mask;
-    mask = (octant & 2u) != 0u ? (mask & 0x33u) << 2 | (mask >> 2 & 0x33u) : mask;
-    mask = (octant & 4u) != 0u ? (mask & 0x0fu) << 4 | (mask >> 4 & 0x0fu) : mask;
-    return mask;
-}
-
 struct NodeHits {
-    uint child_base;
-    uint inner;         // slots with an inner child
-    uint inner_hits;    // of those the ones met, in the order of box_to_order
+    uint group; // child_base of BvhNode | inner children met, slot s at bit s ^ key
     uint triangle_base;
-    uint leaves;        // as in BvhNode
-    uint leaf_hits;     // triangles of the leaves met, bits as in `leaves`
+    uint leaves;    // as in BvhNode
+    uint leaf_hits; // triangles of the leaves met, bits as in `leaves`
 };
 
 float box_min(float a, float b) { return a < b ? a : b; }
@@ -55,22 +56,30 @@ float box_max(float a, float b) { return a > b ? a : b; }
 
 float box_byte(uint word, uint index) { return float(int(word >> (8u * index) & 0xffu)); }
 
-// Four slots: bits of those the ray meets before `limit`.
-uint box_four(uint nx, uint ny, uint nz, uint fx, uint fy, uint fz, vec3 scale, vec3 offset, vec3 far_scale,
-              vec3 far_offset, float limit) {
-    uint hits = 0u;
-    for (uint i = 0u; i < 4u; ++i) {
-        float x0 = box_byte(nx, i) * scale.x + offset.x;
-        float y0 = box_byte(ny, i) * scale.y + offset.y;
-        float z0 = box_byte(nz, i) * scale.z + offset.z;
-        float x1 = box_byte(fx, i) * far_scale.x + far_offset.x;
-        float y1 = box_byte(fy, i) * far_scale.y + far_offset.y;
-        float z1 = box_byte(fz, i) * far_scale.z + far_offset.z;
-        float near = box_max(box_max(x0, y0), box_max(z0, 0.0));
-        float far = box_min(box_min(x1, y1), box_min(z1, limit));
-        hits |= near <= far ? 1u << i : 0u;
-    }
-    return hits;
+// One slot's bits where the ray meets its box before `limit`, else 0.
+uint box_slot(uint bits, uint index, uint nx, uint ny, uint nz, uint fx, uint fy, uint fz, vec3 scale,
+              vec3 offset, vec3 far_scale, vec3 far_offset, float limit) {
+    float x0 = box_byte(nx, index) * scale.x + offset.x;
+    float y0 = box_byte(ny, index) * scale.y + offset.y;
+    float z0 = box_byte(nz, index) * scale.z + offset.z;
+    float x1 = box_byte(fx, index) * far_scale.x + far_offset.x;
+    float y1 = box_byte(fy, index) * far_scale.y + far_offset.y;
+    float z1 = box_byte(fz, index) * far_scale.z + far_offset.z;
+    float near = box_max(box_max(x0, y0), box_max(z0, BOX_NEAR));
+    float far = box_min(box_min(x1, y1), box_min(z1, limit));
+    return near <= far ? bits : 0u;
+}
+
+// The steps of a node's grid.
+vec3 box_steps(uint exponents) {
+    return uintBitsToFloat(uvec3(exponents << 23, exponents << 15, exponents << 7) & 0x7f800000u);
+}
+
+// From the bits of the slots met and the second texel of the node.
+NodeHits box_hits(uint hits, uvec4 links, BoxRay ray) {
+    uint inner = links.y >> ray.key_shift & 0xffu;
+    inner = (inner | inner << 8) >> ray.half_shift & 0xffu;
+    return NodeHits(links.x | (hits & inner), links.z, links.w, hits >> 8 & links.w);
 }
 
 // `limit`: the ray's end so far, already times BOX_FAR.
@@ -81,30 +90,27 @@ NodeHits box_node(uint node, BoxRay ray, float limit) {
     uvec4 q0 = fetch_node(base + 2u); // lower x, x, y, y
     uvec4 q1 = fetch_node(base + 3u); // lower z, z, upper x, x
     uvec4 q2 = fetch_node(base + 4u); // upper y, y, z, z
-    vec3 scale = ray.inverse * uintBitsToFloat(uvec3(head.w << 23, (head.w & 0xff00u) << 15, (head.w &
-        0xff0000u) << 7) &
-                                               0x7f800000u);
+    vec3 scale = ray.inverse * box_steps(head.w);
     vec3 offset = (uintBitsToFloat(head.xyz) - ray.origin) * ray.inverse;
-    bvec3 negative = lessThan(ray.inverse, vec3(0.0));
-    uvec2 nx = negative.x ? q1.zw : q0.xy;
-    uvec2 fx = negative.x ? q0.xy : q1.zw;
-    uvec2 ny = negative.y ? q2.xy : q0.zw;
-    uvec2 fy = negative.y ? q0.zw : q2.xy;
-    uvec2 nz = negative.z ? q2.zw : q1.xy;
-    uvec2 fz = negative.z ? q1.xy : q2.zw;
+    bool negative_x = ray.inverse.x < 0.0;
+    bool negative_y = ray.inverse.y < 0.0;
+    bool negative_z = ray.inverse.z < 0.0;
+    uvec2 nx = negative_x ? q1.zw : q0.xy;
+    uvec2 fx = negative_x ? q0.xy : q1.zw;
+    uvec2 ny = negative_y ? q2.xy : q0.zw;
+    uvec2 fy = negative_y ? q0.zw : q2.xy;
+    uvec2 nz = negative_z ? q2.zw : q1.xy;
+    uvec2 fz = negative_z ? q1.xy : q2.zw;
     vec3 far_scale = scale * BOX_FAR;
     vec3 far_offset = offset * BOX_FAR;
-    uint hits = box_four(nx.x, ny.x, nz.x, fx.x, fy.x, fz.x, scale, offset, far_scale, far_offset, limit) |
-                box_four(nx.y, ny.y, nz.y, fx.y, fy.y, fz.y, scale, offset, far_scale, far_offset,
-                    limit) << 4;
-    NodeHits node_hits;
-    node_hits.child_base = links.x;
-    node_hits.inner = head.w >> 24;
-    node_hits.inner_hits = box_to_order(hits & node_hits.inner, ray.octant);
-    node_hits.triangle_base = links.y;
-    node_hits.leaves = links.z;
-    node_hits.leaf_hits = (hits | hits << 8 | hits << 16) & links.z;
-    return node_hits;
+    uint hits = 0u;
+    for (uint i = 0u; i < 4u; ++i)
+        hits |= box_slot(ray.bits[i], i, nx.x, ny.x, nz.x, fx.x, fy.x, fz.x, scale, offset, far_scale,
+                         far_offset, limit);
+    for (uint i = 0u; i < 4u; ++i)
+        hits |= box_slot(ray.bits[4u + i], i, nx.y, ny.y, nz.y, fx.y, fy.y, fz.y, scale, offset, far_scale,
+                         far_offset, limit);
+    return box_hits(hits, links, ray);
 }
 
 #endif

@@ -4,9 +4,9 @@
 // section 3.9.
 #ifndef AJAR_LEAVE_GLSL
 #define AJAR_LEAVE_GLSL
-#include "triangle.glsl"
 #include "../shared/geometry.glsl.h"
 #include "../shared/path.glsl.h"
+#include "triangle.glsl"
 
 // A plane through a triangle and how far, per axis, a point computed on it may be off.
 struct LeavePlane {
@@ -14,8 +14,9 @@ struct LeavePlane {
     vec3 error;  // world, metres
 };
 
-vec3 leave_max(vec3 a, vec3 b) { return vec3(a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y, a.z < b.z ? b.z :
-    a.z); }
+vec3 leave_max(vec3 a, vec3 b) {
+    return vec3(a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y, a.z < b.z ? b.z : a.z);
+}
 
 // Interpolation rounds four times, adding the offset once: five units of 2^-24. Eight leave some to the
 // shading code.
@@ -31,9 +32,9 @@ LeavePlane leave_plane(uint triangle, uint instance, vec3 point) {
         for (uint i = 0u; i < 6u; ++i) m[i] = uintBitsToFloat(fetch_instance(instance * INSTANCE_TEXELS + i));
         normal = normal.x * m[3].xyz + normal.y * m[4].xyz + normal.z * m[5].xyz;
         // The vertices' way to the world, and the ray's way to the object, both seen in the world.
-        vec3 back = vec3(dot(abs(m[3].xyz), abs(point)) + abs(m[3].w), dot(abs(m[4].xyz), abs(point)) +
-            abs(m[4].w),
-                         dot(abs(m[5].xyz), abs(point)) + abs(m[5].w));
+        vec3 back =
+            vec3(dot(abs(m[3].xyz), abs(point)) + abs(m[3].w), dot(abs(m[4].xyz), abs(point)) + abs(m[4].w),
+                 dot(abs(m[5].xyz), abs(point)) + abs(m[5].w));
         size += back;
         size = vec3(dot(abs(m[0].xyz), size) + abs(m[0].w), dot(abs(m[1].xyz), size) + abs(m[1].w),
                     dot(abs(m[2].xyz), size) + abs(m[2].w));
@@ -57,7 +58,7 @@ vec3 leave_offset(uint triangle, uint instance, vec3 origin, vec3 direction) {
 // The part of the way to a light that can be blocked: not what lies within the rounding errors of the light's
 // plane.
 float leave_reach(float distance, uint light_triangle, uint light_instance, vec3 origin, vec3 direction,
-    vec3 offset) {
+                  vec3 offset) {
     float reach = distance - distance * LEAVE_ROUNDING;
     if (has_feature(FEATURE_EMISSIVE_TRIANGLES)) {
         bool aims = light_triangle != NO_TRIANGLE;

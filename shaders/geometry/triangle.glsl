@@ -9,32 +9,30 @@
 
 void triangle_vertices(uint triangle, out vec3 p0, out vec3 p1, out vec3 p2) {
     uint base = triangle * TRIANGLE_TEXELS;
-    p0 = uintBitsToFloat(fetch_triangle(base).xyz);
-    p1 = uintBitsToFloat(fetch_triangle(base + 1u).xyz);
-    p2 = uintBitsToFloat(fetch_triangle(base + 2u).xyz);
+    vec3 x = uintBitsToFloat(fetch_triangle(base).xyz);
+    vec3 y = uintBitsToFloat(fetch_triangle(base + 1u).xyz);
+    vec3 z = uintBitsToFloat(fetch_triangle(base + 2u).xyz);
+    p0 = vec3(x.x, y.x, z.x);
+    p1 = vec3(x.y, y.y, z.y);
+    p2 = vec3(x.z, y.z, z.z);
 }
 
-// What the test needs of a ray: its origin, and the shear that turns its direction to +z of permuted axes.
+// What the test needs of a ray. Axes are permuted so that the direction's largest component is along z; the
+// permutation goes into the addresses of the triangle's coordinates, where it costs nothing.
 struct TriangleRay {
-    vec3 origin;
-    vec3 shear;     // x, y: slopes along the main axis; z: 1 / component along it
-    bool main_x;    // the axis of the direction's largest component; neither: z
-    bool main_y;
+    vec3 origin;  // permuted
+    vec3 shear;   // x, y: slopes along z; z: 1 / component along it
+    uvec3 texels; // of a TriangleRecord, for x, y and z
 };
-
-vec3 triangle_permute(TriangleRay ray, vec3 v) {
-    return vec3(ray.main_x ? v.y : ray.main_y ? v.z : v.x,
-                ray.main_x ? v.z : ray.main_y ? v.x : v.y,
-                ray.main_x ? v.x : ray.main_y ? v.y : v.z);
-}
 
 TriangleRay triangle_ray(vec3 origin, vec3 direction) {
     TriangleRay ray;
     vec3 size = abs(direction);
-    ray.origin = origin;
-    ray.main_x = size.x >= size.y && size.x >= size.z;
-    ray.main_y = !ray.main_x && size.y >= size.z;
-    vec3 d = triangle_permute(ray, direction);
+    bool main_x = size.x >= size.y && size.x >= size.z;
+    bool main_y = !main_x && size.y >= size.z;
+    ray.origin = main_x ? origin.yzx : main_y ? origin.zxy : origin;
+    ray.texels = main_x ? uvec3(1, 2, 0) : main_y ? uvec3(2, 0, 1) : uvec3(0, 1, 2);
+    vec3 d = main_x ? direction.yzx : main_y ? direction.zxy : direction;
     ray.shear = vec3(d.x / d.z, d.y / d.z, 1.0 / d.z);
     return ray;
 }
@@ -47,20 +45,20 @@ struct TriangleHit {
     bool back_face;
 };
 
+float triangle_min(float a, float b) { return a < b ? a : b; }
+float triangle_max(float a, float b) { return a > b ? a : b; }
+
 // `precise` keeps compilers from fusing one product of a difference, which would break the antisymmetry of
-// edges.
-TriangleHit triangle_test(TriangleRay ray, vec3 p0, vec3 p1, vec3 p2) {
-    vec3 a = triangle_permute(ray, p0 - ray.origin);
-    vec3 b = triangle_permute(ray, p1 - ray.origin);
-    vec3 c = triangle_permute(ray, p2 - ray.origin);
-    precise vec2 as = a.xy - ray.shear.xy * a.z;
-    precise vec2 bs = b.xy - ray.shear.xy * b.z;
-    precise vec2 cs = c.xy - ray.shear.xy * c.z;
-    precise float u = cs.x * bs.y - cs.y * bs.x; // weight of p0, and so on
-    precise float v = as.x * cs.y - as.y * cs.x;
-    precise float w = bs.x * as.y - bs.y * as.x;
+// edges. Vertices coordinate by coordinate, permuted as the ray is.
+TriangleHit triangle_test(TriangleRay ray, vec3 vertices_x, vec3 vertices_y, vec3 vertices_z) {
+    precise vec3 z = vertices_z - ray.origin.z;
+    precise vec3 x = (vertices_x - ray.origin.x) - ray.shear.x * z;
+    precise vec3 y = (vertices_y - ray.origin.y) - ray.shear.y * z;
+    precise float u = x.z * y.y - y.z * x.y; // weight of the first vertex, and so on
+    precise float v = x.x * y.z - y.x * x.z;
+    precise float w = x.y * y.x - y.y * x.x;
     precise float determinant = u + v + w;
-    precise float t = (u * a.z + v * b.z + w * c.z) * ray.shear.z;
+    precise float t = (u * z.x + v * z.y + w * z.z) * ray.shear.z;
     float inverse = 1.0 / determinant;
     TriangleHit hit;
     hit.t = t * inverse;
@@ -68,10 +66,10 @@ TriangleHit triangle_test(TriangleRay ray, vec3 p0, vec3 p1, vec3 p2) {
     hit.v = w * inverse;
     // Seen along +z of the sheared frame, which mirrors where the direction's main component is negative.
     hit.back_face = (determinant < 0.0) != (ray.shear.z < 0.0);
-    bool same_side = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    bool same_side = triangle_min(triangle_min(u, v), w) >= 0.0 || triangle_max(triangle_max(u, v), w) <= 0.0;
     // t is a mean of the vertices' depths, so their rounding bounds its error: a t below it may be 0 or
     // negative.
-    float reach = max(abs(a.z), max(abs(b.z), abs(c.z))) * abs(ray.shear.z);
+    float reach = triangle_max(abs(z.x), triangle_max(abs(z.y), abs(z.z))) * abs(ray.shear.z);
     hit.inside = same_side && determinant != 0.0 && hit.t > reach * TRIANGLE_T_ERROR;
     return hit;
 }

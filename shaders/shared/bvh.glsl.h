@@ -8,6 +8,7 @@ DUAL_BEGIN
 
 const uint BVH_WIDTH = 8;
 const uint BVH_MAX_DEPTH = 32;     // nodes on a way from root to leaf; both levels together: twice that
+const uint BVH_SHALLOW_DEPTH = 14; // up to here, and without instances, a ray's stack fits into registers
 const uint BVH_MAX_LEAF = 3;       // triangles of a leaf
 const uint BVH_NODE_TEXELS = 5;
 const uint BVH_MAX_NODES = 1u << 24;
@@ -18,14 +19,12 @@ const uint BVH_MAX_NODES = 1u << 24;
 // direction goes roughly front to back.
 struct BvhNode {
     vec3 origin;          // lower corner of the node, in the frame of its triangles, metres
-    uint exponents;       // biased exponent of a step along x | y << 8 | z << 16; slots that are inner << 24
-    // Node index of the first inner child; the others follow in the order of their slots
-    uint child_base;
+    uint exponents;       // biased exponent of a step along x | y << 8 | z << 16
+    uint child_base;      // node index of slot 0, times 256; children lie at their slots, with gaps
+    uint inner_orders;    // byte k = 0 to 3: bit s ^ k is set where slot s has an inner child
     uint triangle_base;   // index of the first triangle (or instance) of the node's leaves
-    // Slots with at least one triangle | two << 8 | three << 16; bit order = triangle order
-    uint leaves;
-    uint pad;
-    uint lower_x[2];      // byte s: slot s; an empty slot has lower 255, upper 0
+    uint leaves;          // bit 3 s + k: slot s is a leaf of more than k triangles; in the triangles' order
+    uint lower_x[2];      // byte s: slot s
     uint lower_y[2];
     uint lower_z[2];
     uint upper_x[2];
@@ -34,13 +33,14 @@ struct BvhNode {
 };
 DUAL_SIZE(BvhNode, 80);
 
-// A triangle in leaf order.
+// A triangle in leaf order. Coordinate by coordinate, so that a ray that permutes the axes permutes
+// addresses.
 struct TriangleRecord {
-    vec3 p0;       // metres, in the frame of its mesh (instance 0: the world)
+    vec3 x;        // of the three vertices; metres, in the frame of its mesh (instance 0: the world)
     uint flags;    // TRIANGLE_*
-    vec3 p1;
+    vec3 y;
     uint material; // index of the MaterialRecord
-    vec3 p2;
+    vec3 z;
     uint object;   // instance 0: Scene::instances index, for AOVs
 };
 DUAL_SIZE(TriangleRecord, 48);

@@ -30,6 +30,7 @@ const uint FEATURE_CONSTANT_ENVIRONMENT = 1u << 10;
 const uint FEATURE_UNLIT = 1u << 11;
 const uint FEATURE_EMISSION_TEXTURES = 1u << 12;
 const uint FEATURE_ORTHOGRAPHIC = 1u << 13;
+const uint FEATURE_DEEP = 1u << 14;           // hierarchy deeper than BVH_SHALLOW_DEPTH
 
 const uint STRATEGY_BSDF = 0;
 const uint STRATEGY_LIGHT = 1;

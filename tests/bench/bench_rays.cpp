@@ -69,7 +69,9 @@ struct ExactHit {
 
 ExactHit exact_hit(const shared::TriangleRecord& triangle, const glm::vec3& origin,
                    const glm::vec3& direction) {
-    const glm::dvec3 a = triangle.p0, e1 = glm::dvec3(triangle.p1) - a, e2 = glm::dvec3(triangle.p2) - a;
+    const glm::dvec3 a = bvh::record_vertex(triangle, 0);
+    const glm::dvec3 e1 = glm::dvec3(bvh::record_vertex(triangle, 1)) - a;
+    const glm::dvec3 e2 = glm::dvec3(bvh::record_vertex(triangle, 2)) - a;
     const glm::dvec3 d = direction, s = glm::dvec3(origin) - a, h = glm::cross(d, e2), q = glm::cross(s, e1);
     const double f = 1 / glm::dot(e1, h);
     const double u = f * glm::dot(s, h), v = f * glm::dot(d, q);

@@ -10,8 +10,8 @@ namespace ajar::bench {
 struct BenchScene {
     std::string name;
     std::vector<bvh::Triangle> triangles;
-    glm::vec3 eye, target; // metres
-    float yfov = 0.8f;     // radians
+    glm::vec3 eye, target;                    // metres
+    float yfov = 0.8f;                        // radians
     glm::vec3 light_corner, light_u, light_v; // where shadow rays go
 };
 

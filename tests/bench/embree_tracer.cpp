@@ -68,9 +68,12 @@ EmbreeTracer::EmbreeTracer(std::span<const shared::TriangleRecord> triangles)
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const glm::vec3 corners[] = {triangles[i].p0, triangles[i].p1, triangles[i].p2};
-        std::memcpy(vertices + 9 * i, corners, sizeof(corners));
-        for (std::size_t k = 0; k < 3; ++k) indices[3 * i + k] = std::uint32_t(3 * i + k);
+        for (int k = 0; k < 3; ++k) {
+            const std::size_t vertex = 3 * i + std::size_t(k);
+            const glm::vec3 corner = bvh::record_vertex(triangles[i], k);
+            std::memcpy(vertices + 3 * vertex, &corner, sizeof(corner));
+            indices[vertex] = std::uint32_t(vertex);
+        }
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(impl_->scene, geometry);

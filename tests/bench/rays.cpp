@@ -23,10 +23,12 @@ struct Departure {
 
 Departure depart(const shared::PathState& hit, std::span<const shared::TriangleRecord> triangles) {
     const shared::TriangleRecord& t = triangles[hit.triangle];
-    glm::vec3 normal = glm::normalize(glm::cross(t.p1 - t.p0, t.p2 - t.p0));
+    const glm::vec3 p0 = bvh::record_vertex(t, 0), p1 = bvh::record_vertex(t, 1),
+                    p2 = bvh::record_vertex(t, 2);
+    glm::vec3 normal = glm::normalize(glm::cross(p1 - p0, p2 - p0));
     if (glm::dot(normal, hit.direction) > 0) normal = -normal;
-    const glm::vec3 position = (1 - hit.u - hit.v) * t.p0 + hit.u * t.p1 + hit.v * t.p2;
-    const glm::vec3 size = glm::max(glm::abs(t.p0), glm::max(glm::abs(t.p1), glm::abs(t.p2)));
+    const glm::vec3 position = (1 - hit.u - hit.v) * p0 + hit.u * p1 + hit.v * p2;
+    const glm::vec3 size = glm::max(glm::abs(p0), glm::max(glm::abs(p1), glm::abs(p2)));
     return {position + normal * (glm::dot(glm::abs(normal), size) * 2e-6f), normal};
 }
 

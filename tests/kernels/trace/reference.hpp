@@ -2,7 +2,7 @@
 // every triangle. Floats round the same way on both sides, so hits must agree in every bit.
 #pragma once
 
-#include "shaders/shared/bvh.glsl.h"
+#include "bvh/bvh.hpp"
 #include "shaders/shared/path.glsl.h"
 
 #include <cmath>
@@ -29,9 +29,9 @@ class ReferenceRay {
 
     // The lower triangle wins at equal distance, as in the kernels.
     void test(const shared::TriangleRecord& triangle, std::uint32_t index, ReferenceHit& hit) const {
-        const glm::vec3 a = permute(triangle.p0 - origin_);
-        const glm::vec3 b = permute(triangle.p1 - origin_);
-        const glm::vec3 c = permute(triangle.p2 - origin_);
+        const glm::vec3 a = permute(bvh::record_vertex(triangle, 0) - origin_);
+        const glm::vec3 b = permute(bvh::record_vertex(triangle, 1) - origin_);
+        const glm::vec3 c = permute(bvh::record_vertex(triangle, 2) - origin_);
         const float ax = a.x - shear_.x * a.z, ay = a.y - shear_.y * a.z;
         const float bx = b.x - shear_.x * b.z, by = b.y - shear_.y * b.z;
         const float cx = c.x - shear_.x * c.z, cy = c.y - shear_.y * c.z;

@@ -16,6 +16,7 @@ gpu::Specialization specialization(const gpu::Device& device, const TraceScene& 
     return {{SPEC_WORKGROUP_SIZE, workgroup},
             {SPEC_SEGMENT_SIZE, options.segment_size},
             {SPEC_TEXEL_BUFFERS, options.texel_buffers ? 1 : 0},
+            {SPEC_PATH_TEXELS, options.texel_buffers ? 1 : 0},
             {SPEC_FEATURES, features},
             {SPEC_OPTION, option}};
 }
@@ -81,7 +82,7 @@ void TraceRig::fill_tables(const TraceScene& scene) {
         const bvh::MeshRange& range = bvh_.meshes[m];
         for (std::uint32_t k = 0; k < range.triangle_count; ++k) {
             const bvh::Triangle& triangle = scene.meshes[m][bvh_.order[range.first_triangle + k]];
-            triangles_.push_back({triangle.vertices[0], 0, triangle.vertices[1], 0, triangle.vertices[2], 0});
+            triangles_.push_back(bvh::make_record(triangle, 0, 0, 0));
         }
     }
     const glm::vec4 x(1, 0, 0, 0), y(0, 1, 0, 0), z(0, 0, 1, 0);
@@ -104,6 +105,8 @@ SegmentArgs TraceRig::begin(std::size_t rays, bool shadows) {
         bindings_.storage(BIND_SHADOW_RAYS, shadow_rays_);
         bindings_.storage(BIND_SEGMENTS, segments_);
         bindings_.storage(BIND_RADIANCE, radiance_);
+        bindings_.table(BIND_PATHS_READ, paths_);
+        bindings_.table(BIND_SHADOW_RAYS_READ, shadow_rays_);
     }
     std::vector<SegmentCounts> counts(segments);
     for (std::uint32_t s = 0; s < segments; ++s) {

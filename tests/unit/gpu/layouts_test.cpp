@@ -50,11 +50,11 @@ struct Field {
 // Add the members of a new struct here and mention it in shaders/layouts.comp.
 // clang-format off
 const Field FIELDS[] = {
-    F(BvhNode, origin), F(BvhNode, exponents), F(BvhNode, child_base), F(BvhNode, triangle_base),
-    F(BvhNode, leaves), F(BvhNode, pad), F(BvhNode, lower_x), F(BvhNode, lower_y), F(BvhNode, lower_z),
+    F(BvhNode, origin), F(BvhNode, exponents), F(BvhNode, child_base), F(BvhNode, inner_orders),
+    F(BvhNode, triangle_base), F(BvhNode, leaves), F(BvhNode, lower_x), F(BvhNode, lower_y), F(BvhNode, lower_z),
     F(BvhNode, upper_x), F(BvhNode, upper_y), F(BvhNode, upper_z),
-    F(TriangleRecord, p0), F(TriangleRecord, flags), F(TriangleRecord, p1), F(TriangleRecord, material),
-    F(TriangleRecord, p2), F(TriangleRecord, object),
+    F(TriangleRecord, x), F(TriangleRecord, flags), F(TriangleRecord, y), F(TriangleRecord, material),
+    F(TriangleRecord, z), F(TriangleRecord, object),
     F(FilmPixel, count), F(FilmPixel, sum), F(FilmPixel, square),
     F(AovPixel, sum), F(AovPixel, hits), F(AovPixel, object_id), F(AovPixel, material_id), F(AovPixel, pad),
     F(Diagnostics, invalid_count), F(Diagnostics, invalid_pixel), F(Diagnostics, invalid_sample),

@@ -1,0 +1,90 @@
+// Where the workgroup is one subgroup of known size: a thread whose ray is done takes the next one, so that
+// fewer threads idle while others finish (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal
+// on GPUs"). All loops but that over triangles are left by all threads together. They test at their end, as
+// lavapipe runs a body once more, for nobody, where a test at the head fails.
+#ifndef AJAR_BVH_TRACE_SUBGROUP_GLSL
+#define AJAR_BVH_TRACE_SUBGROUP_GLSL
+#include "../core/scan.glsl"
+
+// Below this the driver's own limit of 65,535 iterations per invocation is not reached (Mesa 22.3).
+const uint BVH_BUDGET = 60000u;
+
+#include "bvh_packet.glsl"
+
+const uint BVH_NONE = 0xffffffffu;
+
+uint bvh_count(bool flag) {
+    uint sum = flag ? 1u : 0u;
+    // Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
+    if (WORKGROUP_SIZE > 1u) sum += subgroupShuffleXor(sum, 1u);
+    if (WORKGROUP_SIZE > 2u) sum += subgroupShuffleXor(sum, 2u);
+    if (WORKGROUP_SIZE > 4u) sum += subgroupShuffleXor(sum, 4u);
+    if (WORKGROUP_SIZE > 8u) sum += subgroupShuffleXor(sum, 8u);
+    if (WORKGROUP_SIZE > 16u) sum += subgroupShuffleXor(sum, 16u);
+    if (WORKGROUP_SIZE > 32u) sum += subgroupShuffleXor(sum, 32u);
+    if (WORKGROUP_SIZE > 64u) sum += subgroupShuffleXor(sum, 64u);
+    return sum;
+}
+
+uint bvh_trace_replacing(uint count, const bool any_hit) {
+    uint next = 0u;
+    uint slot = BVH_NONE; // of this thread's ray
+    uint spent = 0u;
+    BvhRay ray;
+    BvhWalk walk;
+    walk.cursor = BvhCursor(0u, 0u, 0u, 0u);
+    uint busy = 0u;
+    for (uint round = 0u; round < BVH_BUDGET; ++round) {
+        bool idle = !bvh_going(walk);
+        if (idle && slot != BVH_NONE) {
+            bvh_found(slot, walk.hit);
+            slot = BVH_NONE;
+        }
+        Scan free = scan_keepers(idle);
+        if (idle && next + free.before < count) {
+            slot = next + free.before;
+            ray = bvh_ray_of(slot);
+            walk = bvh_begin(ray);
+        }
+        next = min(next + free.total, count);
+        // While there are more rays, work goes on as long as it is worth while for most threads.
+        uint few = next < count ? WORKGROUP_SIZE * 3u / 8u : 0u;
+        uint half_full = next < count ? WORKGROUP_SIZE / 2u : 0u;
+        for (uint run = 0u; run < BVH_BUDGET; ++run) {
+            spent += 1u + BVH_WIDTH * BVH_MAX_LEAF;
+            for (uint i = 0u; i < BVH_BUDGET; ++i) {
+                ++spent;
+                if (bvh_wants_node(walk)) bvh_node_step(walk);
+                if (bvh_count(bvh_wants_node(walk)) <= few) break;
+            }
+            if (bvh_wants_triangle(walk)) {
+                for (uint i = 0u; i < BVH_WIDTH * BVH_MAX_LEAF; ++i) {
+                    bvh_triangle_step(ray, walk, any_hit);
+                    if (!bvh_wants_triangle(walk)) break;
+                }
+            }
+            if (has_feature(FEATURE_INSTANCES)) bvh_instance_step(ray, walk, any_hit);
+            busy = bvh_count(bvh_going(walk));
+            if (busy <= half_full || spent > BVH_BUDGET) break;
+        }
+        if ((next >= count && busy == 0u) || spent > BVH_BUDGET) break;
+    }
+    uint unfinished = 0u;
+    if (slot != BVH_NONE) {
+        unfinished += bvh_going(walk) ? 1u : 0u;
+        bvh_found(slot, walk.hit);
+    }
+    for (uint i = next + gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
+        ++unfinished;
+        bvh_found(i, Hit(BVH_FAR, NO_TRIANGLE, 0u, 0.0, 0.0));
+    }
+    return unfinished;
+}
+
+// `together`: neighbouring rays are similar.
+uint bvh_trace_all(uint count, const bool together, const bool any_hit) {
+    if (together && bvh_packets_possible()) return bvh_trace_packets(count, any_hit);
+    return bvh_trace_replacing(count, any_hit);
+}
+
+#endif
