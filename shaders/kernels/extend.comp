@@ -14,8 +14,8 @@ uint first_slot; // of the segment
 BvhRay bvh_ray_of(uint i) {
     PathState path = path_load(first_slot + i);
     vec3 offset = leave_offset(path.triangle, path.instance, path.origin, path.direction);
-    return BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance, NO_TRIANGLE, 0u,
-                  path.salt);
+    return BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance, NO_TRIANGLE,
+                  0u, path.salt);
 }
 
 void bvh_found(uint i, Hit hit) {

@@ -51,7 +51,8 @@ struct Field {
 // clang-format off
 const Field FIELDS[] = {
     F(BvhNode, origin), F(BvhNode, exponents), F(BvhNode, child_base), F(BvhNode, inner_orders),
-    F(BvhNode, triangle_base), F(BvhNode, leaves), F(BvhNode, lower_x), F(BvhNode, lower_y), F(BvhNode, lower_z),
+    F(BvhNode, triangle_base), F(BvhNode, leaves),
+    F(BvhNode, lower_x), F(BvhNode, lower_y), F(BvhNode, lower_z),
     F(BvhNode, upper_x), F(BvhNode, upper_y), F(BvhNode, upper_z),
     F(TriangleRecord, x), F(TriangleRecord, flags), F(TriangleRecord, y), F(TriangleRecord, material),
     F(TriangleRecord, z), F(TriangleRecord, object),
