@@ -65,6 +65,7 @@ void PathPool::bind(gpu::Bindings& bindings) const {
     bindings.storage(BIND_RADIANCE, radiance_buffer_);
     bindings.table(BIND_PATHS_READ, path_buffer_);
     bindings.table(BIND_SHADOW_RAYS_READ, shadow_buffer_);
+    bindings.table(BIND_RADIANCE_READ, radiance_buffer_);
 }
 
 bool PathPool::read_by_texels(const gpu::Device& device) const {

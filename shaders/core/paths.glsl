@@ -13,6 +13,7 @@ layout(set = 0, binding = BIND_SEGMENTS, scalar) buffer SegmentsBlock { SegmentC
 layout(set = 0, binding = BIND_RADIANCE, std430) buffer RadianceBlock { vec4 radiance[]; };
 layout(set = 0, binding = BIND_PATHS_READ) uniform usamplerBuffer path_texels;
 layout(set = 0, binding = BIND_SHADOW_RAYS_READ) uniform usamplerBuffer shadow_ray_texels;
+layout(set = 0, binding = BIND_RADIANCE_READ) uniform usamplerBuffer radiance_texels;
 
 uvec4 path_word(uint i) {
     if (PATH_TEXELS != 0u) return texelFetch(path_texels, int(i));
@@ -24,28 +25,29 @@ uvec4 shadow_ray_word(uint i) {
     return shadow_ray_words[i];
 }
 
+// A path as extend left it. Without instancing all triangles are instance 0's, and the word is not written.
 PathState path_load(uint slot) {
     uvec4 a = path_word(4u * slot);
     uvec4 b = path_word(4u * slot + 1u);
     uvec4 c = path_word(4u * slot + 2u);
     uvec4 d = path_word(4u * slot + 3u);
-    return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
-        uintBitsToFloat(c.xyz),
-                     c.w, d.x, d.y, uintBitsToFloat(d.z), uintBitsToFloat(d.w));
+    return PathState(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz),
+                     uintBitsToFloat(c.w), d.x, has_feature(FEATURE_INSTANCES) ? d.y : 0u,
+                     uintBitsToFloat(d.z), uintBitsToFloat(d.w));
 }
 
-// The last word alone: what extend finds. Without instancing all triangles are instance 0's.
+// What extend finds.
 void path_store_hit(uint slot, uint triangle, uint instance, float u, float v) {
-    path_words[4u * slot + 3u] = uvec4(triangle, instance, floatBitsToUint(u), floatBitsToUint(v));
+    path_words[4u * slot + 3u].x = triangle;
+    if (has_feature(FEATURE_INSTANCES)) path_words[4u * slot + 3u].y = instance;
+    path_words[4u * slot + 3u].zw = floatBitsToUint(vec2(u, v));
 }
 
-// A path about to be extended: u and v are left as they are, and what no kernel of this scene reads.
+// A path about to be extended.
 void path_store(uint slot, PathState path) {
     path_words[4u * slot] = uvec4(floatBitsToUint(path.origin), path.home);
-    path_words[4u * slot + 1u] = uvec4(floatBitsToUint(path.direction), floatBitsToUint(path.pdf));
-    path_words[4u * slot + 2u].xyz = floatBitsToUint(path.beta);
-    if (has_feature(FEATURE_ALPHA)) path_words[4u * slot + 2u].w = path.salt;
-    path_words[4u * slot + 3u].x = path.triangle;
+    path_words[4u * slot + 1u] = uvec4(floatBitsToUint(path.direction), path.leaves);
+    path_words[4u * slot + 2u] = uvec4(floatBitsToUint(path.beta), floatBitsToUint(path.pdf));
     if (has_feature(FEATURE_INSTANCES)) path_words[4u * slot + 3u].y = path.instance;
 }
 
@@ -53,22 +55,27 @@ ShadowRay shadow_ray_load(uint slot) {
     uvec4 a = shadow_ray_word(4u * slot);
     uvec4 b = shadow_ray_word(4u * slot + 1u);
     uvec4 c = shadow_ray_word(4u * slot + 2u);
-    uvec4 d = shadow_ray_word(4u * slot + 3u);
+    uint instance = 0u;
+    if (has_feature(FEATURE_INSTANCES)) instance = shadow_ray_word(4u * slot + 3u).x;
     return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
-        uintBitsToFloat(c.xyz),
-                     c.w, d.x, d.y, d.z, d.w);
+                     uintBitsToFloat(c.xyz), c.w, instance, uint[3](0u, 0u, 0u));
 }
 
 void shadow_ray_store(uint slot, ShadowRay ray) {
-    shadow_ray_words[4u * slot] = uvec4(floatBitsToUint(ray.origin), ray.home);
-    shadow_ray_words[4u * slot + 1u] = uvec4(floatBitsToUint(ray.direction), floatBitsToUint(ray.distance));
-    shadow_ray_words[4u * slot + 2u] = uvec4(floatBitsToUint(ray.contribution), ray.triangle);
-    shadow_ray_words[4u * slot + 3u].y = ray.light_triangle;
+    shadow_ray_words[4u * slot] = uvec4(floatBitsToUint(ray.origin), ray.leaves);
+    shadow_ray_words[4u * slot + 1u] = uvec4(floatBitsToUint(ray.direction), floatBitsToUint(ray.reach));
+    shadow_ray_words[4u * slot + 2u] = uvec4(floatBitsToUint(ray.contribution), ray.home);
     if (has_feature(FEATURE_INSTANCES)) shadow_ray_words[4u * slot + 3u].x = ray.instance;
-    if (has_feature(FEATURE_INSTANCES)) shadow_ray_words[4u * slot + 3u].z = ray.light_instance;
-    if (has_feature(FEATURE_ALPHA)) shadow_ray_words[4u * slot + 3u].w = ray.salt;
 }
 
-void radiance_add(uint home, vec3 value) { radiance[home] = radiance[home] + vec4(value, 0.0); }
+vec3 radiance_load(uint home) {
+    if (PATH_TEXELS != 0u) return uintBitsToFloat(texelFetch(radiance_texels, int(home)).xyz);
+    return radiance[home].xyz;
+}
+
+void radiance_store(uint home, vec3 value) { radiance[home].xyz = value; }
+
+// At most once for a path in a dispatch: what was added there before need not be seen.
+void radiance_add(uint home, vec3 value) { radiance_store(home, radiance_load(home) + value); }
 
 #endif

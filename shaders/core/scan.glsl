@@ -23,6 +23,13 @@ uint scan_step(uint sum, uint lane, uint step) {
 }
 #endif
 
+// Where a thread's item goes: keepers first, in order, then the others. Storing those too, into places that
+// hold nothing any more, leaves no store under a mask: on lavapipe that is a branch per thread, and which
+// threads keep their item cannot be predicted (shade: 12 % faster).
+uint scan_place(Scan scan, bool keep) {
+    return keep ? scan.before : scan.total + gl_LocalInvocationID.x - scan.before;
+}
+
 // All threads of the workgroup must call it, under uniform control flow. Reads before the call are done
 // before any thread's writes after it.
 Scan scan_keepers(bool keep) {

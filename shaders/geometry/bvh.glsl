@@ -4,7 +4,6 @@
 #define AJAR_BVH_GLSL
 #include "alpha.glsl"
 #include "bvh_node.glsl"
-#include "leave.glsl"
 #include "triangle.glsl"
 
 struct Hit {
@@ -19,11 +18,9 @@ struct BvhRay {
     vec3 origin;
     vec3 direction;
     float limit;   // hits at or beyond it do not count
-    uint triangle; // never hit: the triangle the ray leaves
-    uint instance;
-    uint target_triangle; // never hit: the one it aims at
-    uint target_instance;
-    uint salt;
+    uint leaves;   // never hit: the triangle the ray leaves
+    uint instance; // that one's
+    uint salt;     // random bits, for stochastic alpha
 };
 
 // What is still to do.
@@ -139,14 +136,8 @@ uint bvh_take_leaf(inout BvhWalk walk) {
     return walk.cursor.triangle_base + uint(bitCount(walk.cursor.leaves & (bit - 1u)));
 }
 
-bool bvh_excluded(BvhRay ray, uint triangle, uint instance, const bool any_hit) {
-    bool here = !has_feature(FEATURE_INSTANCES) || instance == ray.instance;
-    bool excluded = triangle == ray.triangle && here;
-    if (any_hit) {
-        bool there = !has_feature(FEATURE_INSTANCES) || instance == ray.target_instance;
-        excluded = excluded || (triangle == ray.target_triangle && there);
-    }
-    return excluded;
+bool bvh_excluded(BvhRay ray, uint triangle, uint instance) {
+    return triangle == ray.leaves && (!has_feature(FEATURE_INSTANCES) || instance == ray.instance);
 }
 
 // Takes a triangle that was tested as the hit, if it is nearer than the present one.
@@ -157,7 +148,7 @@ void bvh_accept(BvhRay ray, inout BvhWalk walk, uint triangle, uint flags, Trian
         lower = walk.instance < walk.hit.instance || (walk.instance == walk.hit.instance && lower);
     bool closer = test.t < walk.hit.t || (test.t == walk.hit.t && walk.hit.triangle != NO_TRIANGLE && lower);
     if (any_hit) closer = test.t < walk.hit.t;
-    bool found = test.inside && closer && !bvh_excluded(ray, triangle, walk.instance, any_hit);
+    bool found = test.inside && closer && !bvh_excluded(ray, triangle, walk.instance);
     if (has_feature(FEATURE_ALPHA)) {
         if (found && (flags & TRIANGLE_ALPHA) != 0u) {
             bool flipped = has_feature(FEATURE_INSTANCES) &&

@@ -156,7 +156,7 @@ uint bvh_trace_packets(uint count, const bool any_hit) {
             if (!bvh_going(packet.walk) || spent > BVH_BUDGET) break;
         }
         unfinished += bvh_going(packet.walk) && i < count ? 1u : 0u;
-        if (i < count) bvh_found(i, packet.walk.hit);
+        if (i < count) bvh_found(i, packet.walk.hit, true);
         if (first + WORKGROUP_SIZE >= count) break;
     }
     return unfinished;

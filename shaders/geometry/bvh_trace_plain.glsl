@@ -39,7 +39,7 @@ uint bvh_trace_all(uint count, const bool together, const bool any_hit) {
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         bool exhausted;
         Hit hit = bvh_trace(bvh_ray_of(i), any_hit, exhausted);
-        bvh_found(i, hit);
+        bvh_found(i, hit, true);
         unfinished += exhausted ? 1u : 0u;
         if (i + WORKGROUP_SIZE >= count) break;
     }

@@ -36,9 +36,9 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
     uint busy = 0u;
     for (uint round = 0u; round < BVH_BUDGET; ++round) {
         bool idle = !bvh_going(walk);
-        if (idle && slot != BVH_NONE) {
-            bvh_found(slot, walk.hit);
-            slot = BVH_NONE;
+        if (slot != BVH_NONE) {
+            bvh_found(slot, walk.hit, idle);
+            slot = idle ? BVH_NONE : slot;
         }
         Scan free = scan_keepers(idle);
         if (idle && next + free.before < count) {
@@ -72,11 +72,11 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
     uint unfinished = 0u;
     if (slot != BVH_NONE) {
         unfinished += bvh_going(walk) ? 1u : 0u;
-        bvh_found(slot, walk.hit);
+        bvh_found(slot, walk.hit, true);
     }
     for (uint i = next + gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         ++unfinished;
-        bvh_found(i, Hit(BVH_FAR, NO_TRIANGLE, 0u, 0.0, 0.0));
+        bvh_found(i, Hit(BVH_FAR, NO_TRIANGLE, 0u, 0.0, 0.0), true);
     }
     return unfinished;
 }

@@ -4,10 +4,12 @@
 #include "../core/octahedral.glsl"
 #include "../core/tables.glsl"
 #include "../shared/geometry.glsl.h"
+#include "leave.glsl"
 #include "triangle.glsl"
 
 struct Surface {
     vec3 position;    // world, metres
+    vec3 departure;   // where rays to ng's side start: off the triangle by the rounding error (leave.glsl)
     vec3 ng;          // geometric normal, world, unit, on the side the ray came from
     vec3 n;           // interpolated shading normal, world, unit, turned with ng
     vec4 tangent;     // world; w: handedness; zero where the mesh has none
@@ -106,6 +108,7 @@ Surface surface_at(uint triangle, uint instance, float u, float v, vec3 directio
         vec3 t = w.x * octahedral_decode(e.z) + w.y * octahedral_decode(e.w) + w.z * octahedral_decode(f.x);
         s.tangent = (f.y & 8u) != 0u ? vec4(t, (f.y & 1u) != 0u ? -1.0 : 1.0) : vec4(0.0);
     }
+    vec3 o0 = p0, o1 = p1, o2 = p2; // in the object's frame
     bool flipped = false;
     if (has_feature(FEATURE_INSTANCES)) {
         p0 = surface_point_to_world(instance, vec4(p0, 1.0));
@@ -131,6 +134,9 @@ Surface surface_at(uint triangle, uint instance, float u, float v, vec3 directio
     s.back_face = dot(s.ng, direction) > 0.0;
     s.ng = s.back_face ? -s.ng : s.ng;
     s.n = dot(s.n, s.ng) < 0.0 ? -s.n : s.n;
+    vec3 error = has_feature(FEATURE_INSTANCES) ? leave_error_instanced(o0, o1, o2, instance, s.position)
+                                                : leave_error(p0, p1, p2);
+    s.departure = s.position + leave_offset(s.ng, error);
     return s;
 }
 

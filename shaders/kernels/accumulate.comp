@@ -48,7 +48,7 @@ void main() {
     uint saturated = 0u;
     for (uint s = 0u; s < min(spp, MAX_SAMPLES_PER_PASS); ++s) {
         uint home = ordinal * spp + s;
-        vec3 x = radiance[home].rgb;
+        vec3 x = radiance_load(home);
         // Written so that NaN counts as invalid.
         bool valid = all(greaterThanEqual(x, vec3(0.0))) && all(lessThan(x, vec3(3.0e38)));
         if (!valid) {

@@ -17,7 +17,7 @@ void main() {
         PathState path = path_load(first + i);
         if (path.triangle != NO_TRIANGLE) {
             Vertex v = vertex_at(path);
-            radiance[path.home] = vec4(bsdf_albedo(v.bsdf), 1.0);
+            radiance_store(path.home, bsdf_albedo(v.bsdf));
         }
     }
 }

@@ -16,17 +16,14 @@ ShadowRay occlusion_ray(PathState path) {
     Sampler points = segment_sampler(args.segments, path.home);
     vec3 wi = warps_cosine_hemisphere(sampler_2d(points, sampler_bounce(0u) + DIM_BSDF));
     ShadowRay ray;
-    ray.origin = v.surface.position;
-    ray.home = path.home;
+    ray.origin = v.surface.departure;
+    ray.leaves = path.triangle;
     ray.direction = frame_to_world(v.frame, wi);
-    ray.distance = frame.ao_distance;
+    ray.reach = frame.ao_distance;
     // A direction below the geometric surface is blocked by that surface.
     ray.contribution = vec3(dot(ray.direction, v.surface.ng) > 0.0 ? 1.0 : 0.0);
-    ray.triangle = path.triangle;
+    ray.home = path.home;
     ray.instance = path.instance;
-    ray.light_triangle = NO_TRIANGLE;
-    ray.light_instance = 0u;
-    ray.salt = path.salt;
     return ray;
 }
 
@@ -43,7 +40,7 @@ void main() {
         ShadowRay ray;
         if (hit) ray = occlusion_ray(path);
         Scan rays = scan_keepers(hit);
-        if (hit) shadow_ray_store(first + shadows + rays.before, ray);
+        shadow_ray_store(first + shadows + scan_place(rays, hit), ray);
         shadows += rays.total;
     }
     if (gl_LocalInvocationID.x == 0u) {

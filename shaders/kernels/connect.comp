@@ -14,19 +14,16 @@ uint open_rays = 0u;
 
 BvhRay bvh_ray_of(uint i) {
     ShadowRay shadow = shadow_ray_load(first_slot + i);
-    vec3 offset = leave_offset(shadow.triangle, shadow.instance, shadow.origin, shadow.direction);
-    float reach = leave_reach(shadow.distance, shadow.light_triangle, shadow.light_instance, shadow.origin,
-                              shadow.direction, offset);
-    return BvhRay(shadow.origin + offset, shadow.direction, min(reach, BVH_FAR), shadow.triangle,
-                  shadow.instance, shadow.light_triangle, shadow.light_instance, shadow.salt);
+    uint salt = has_feature(FEATURE_ALPHA) ? segment_salt(args.segments, shadow.home, true) : 0u;
+    return BvhRay(shadow.origin, shadow.direction, min(shadow.reach, BVH_FAR), shadow.leaves, shadow.instance,
+                  salt);
 }
 
-void bvh_found(uint i, Hit hit) {
-    if (hit.triangle == NO_TRIANGLE) {
-        ShadowRay shadow = shadow_ray_load(first_slot + i);
-        radiance_add(shadow.home, shadow.contribution);
-        ++open_rays;
-    }
+void bvh_found(uint i, Hit hit, bool done) {
+    ShadowRay shadow = shadow_ray_load(first_slot + i);
+    bool open = done && hit.triangle == NO_TRIANGLE;
+    radiance_add(shadow.home, open ? shadow.contribution : vec3(0.0));
+    open_rays += open ? 1u : 0u;
 }
 
 void main() {

@@ -13,12 +13,11 @@ uint first_slot; // of the segment
 
 BvhRay bvh_ray_of(uint i) {
     PathState path = path_load(first_slot + i);
-    vec3 offset = leave_offset(path.triangle, path.instance, path.origin, path.direction);
-    return BvhRay(path.origin + offset, path.direction, BVH_FAR, path.triangle, path.instance, NO_TRIANGLE,
-                  0u, path.salt);
+    uint salt = has_feature(FEATURE_ALPHA) ? segment_salt(args.segments, path.home, false) : 0u;
+    return BvhRay(path.origin, path.direction, BVH_FAR, path.leaves, path.instance, salt);
 }
 
-void bvh_found(uint i, Hit hit) {
+void bvh_found(uint i, Hit hit, bool done) {
     path_store_hit(first_slot + i, hit.triangle, hit.instance, hit.u, hit.v);
 }
 

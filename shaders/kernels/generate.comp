@@ -36,13 +36,13 @@ void main() {
         path.home = home;
         path.pdf = 0.0;
         path.beta = vec3(1.0);
-        path.salt = rng_combine(points.seed, owner.sample_index);
+        path.leaves = NO_TRIANGLE;
         path.triangle = NO_TRIANGLE;
         path.instance = 0u;
         path.u = 0.0;
         path.v = 0.0;
         path_store(home, path);
-        radiance[home] = vec4(0.0);
+        radiance_store(home, vec3(0.0));
     }
     if (gl_LocalInvocationID.x == 0u) {
         segments[segment].paths = count;

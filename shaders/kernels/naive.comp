@@ -36,10 +36,10 @@ bool bounce(inout PathState path) {
             Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
             BsdfSample next = sample_direction(v, points, dimension);
-            path.origin = v.surface.position;
+            path.origin = v.surface.departure;
+            path.leaves = path.triangle;
             path.direction = frame_to_world(v.frame, next.wi);
             path.beta *= next.weight;
-            path.salt = rng_combine(path.salt, dimension);
             alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
             if (args.segments.bounce >= frame.rr_depth) {
                 float survival = min(math_max3(path.beta), 1.0);
@@ -64,7 +64,7 @@ void main() {
         bool alive = false;
         if (i < count) alive = bounce(path);
         Scan survivors = scan_keepers(alive);
-        if (alive) path_store(first + kept + survivors.before, path);
+        path_store(first + kept + scan_place(survivors, alive), path);
         kept += survivors.total;
     }
     if (gl_LocalInvocationID.x == 0u) segments[segment].paths = kept;

@@ -45,25 +45,22 @@ vec3 met_emission(PathState path, Vertex v) {
 
 // A shadow ray to one light. False when nothing can come of it.
 bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
-    LightPick pick = light_sampler_pick(v.surface.position, v.surface.ng, sampler_1d(points, dimension +
+    LightPick pick = light_sampler_pick(v.surface.departure, v.surface.ng, sampler_1d(points, dimension +
         DIM_LIGHT_PICK));
-    LightSample light = light_sample(pick.light, v.surface.position, sampler_2d(points, dimension +
+    LightSample light = light_sample(pick.light, v.surface.departure, sampler_2d(points, dimension +
         DIM_LIGHT));
     BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
     float light_pdf = light.pdf * pick.pmf;
     float weight = STRATEGY == STRATEGY_MIS && !light.delta ? power_heuristic(light_pdf, value.pdf) : 1.0;
     float cosine = dot(v.frame.n, light.wi);
     bool above = cosine > 0.0 && dot(v.surface.ng, light.wi) > 0.0 && light_pdf > 0.0;
-    ray.origin = v.surface.position;
-    ray.home = path.home;
+    ray.origin = v.surface.departure;
+    ray.leaves = path.triangle;
     ray.direction = light.wi;
-    ray.distance = light.distance;
+    ray.reach = light.reach;
     ray.contribution = path.beta * value.f * light.radiance * (cosine * weight / max(light_pdf, 1e-37));
-    ray.triangle = path.triangle;
+    ray.home = path.home;
     ray.instance = path.instance;
-    ray.light_triangle = light.triangle;
-    ray.light_instance = light.instance;
-    ray.salt = has_feature(FEATURE_ALPHA) ? rng_combine(path.salt, dimension) : 0u;
     return above && any(greaterThan(ray.contribution, vec3(0.0)));
 }
 
@@ -72,10 +69,10 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     float u_lobe = has_feature(FEATURE_SPECULAR) ? sampler_1d(points, dimension + DIM_BSDF_LOBE) : 0.0;
     BsdfSample next = bsdf_sample(v.bsdf, v.wo, sampler_2d(points, dimension + DIM_BSDF), u_lobe);
     path.direction = frame_to_world(v.frame, next.wi);
-    path.origin = v.surface.position;
+    path.origin = v.surface.departure;
+    path.leaves = path.triangle;
     path.pdf = next.delta ? 0.0 : next.pdf;
     path.beta *= next.weight;
-    path.salt = has_feature(FEATURE_ALPHA) ? rng_combine(path.salt, dimension + 1u) : 0u;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
     if (args.segments.bounce >= frame.rr_depth) {
         float survival = min(math_max3(path.beta), 1.0);
@@ -122,10 +119,10 @@ void main() {
         bool alive = false;
         if (i < count) alive = shade(path, ray, connects);
         Scan survivors = scan_keepers(alive);
-        if (alive) path_store(first + kept + survivors.before, path);
+        path_store(first + kept + scan_place(survivors, alive), path);
         kept += survivors.total;
         Scan connections = scan_keepers(connects);
-        if (connects) shadow_ray_store(first + shadows + connections.before, ray);
+        shadow_ray_store(first + shadows + scan_place(connections, connects), ray);
         shadows += connections.total;
     }
     if (gl_LocalInvocationID.x == 0u) {

@@ -25,6 +25,7 @@ LightSample light_sample(uint light, vec3 point, vec2 u) {
     if (has_feature(FEATURE_ANY_ENVIRONMENT)) {
         if (kind == LIGHT_ENVIRONMENT) s = light_environment_sample(u);
     }
+    if (kind != LIGHT_TRIANGLE) s.reach = s.distance;
     return s;
 }
 

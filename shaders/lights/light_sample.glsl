@@ -9,11 +9,11 @@
 struct LightSample {
     vec3 wi;        // world, unit, towards the light
     float distance; // metres; LIGHT_FAR for directional lights and the environment
+    float reach;    // metres: what can be in the way is nearer; it is not the light itself
     vec3 radiance;  // arriving along wi if unoccluded; delta lights: irradiance at normal incidence, W/m^2
     float pdf;      // of wi by solid angle (1/sr), given the light; 1 for delta lights
     bool delta;     // no other sampling can find this light: no MIS
-    uint triangle;  // the shadow ray must not hit it: the emitting triangle, or NO_TRIANGLE
-    uint instance;
+    uint triangle;  // the emitting one, or NO_TRIANGLE
 };
 
 const float LIGHT_FAR = 3.402823e38; // the largest float: all geometry is nearer
@@ -23,7 +23,7 @@ const float LIGHT_FAR = 3.402823e38; // the largest float: all geometry is neare
 const float LIGHT_NEAR_SQUARED = 1e-30;
 
 LightSample light_sample_none() {
-    return LightSample(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, false, NO_TRIANGLE, 0u);
+    return LightSample(vec3(0.0, 0.0, 1.0), 0.0, 0.0, vec3(0.0), 0.0, false, NO_TRIANGLE);
 }
 
 LightRecord light_fetch(uint light) {

@@ -3,6 +3,7 @@
 #ifndef AJAR_LIGHTS_TRIANGLE_GLSL
 #define AJAR_LIGHTS_TRIANGLE_GLSL
 #include "../core/warps.glsl"
+#include "../geometry/leave.glsl"
 #include "../geometry/surface.glsl"
 #include "../material/material.glsl"
 #include "light_sample.glsl"
@@ -40,8 +41,11 @@ LightSample light_triangle_sample(LightRecord light, vec3 point, vec2 u) {
     s.wi = to_light / distance;
     s.distance = distance;
     s.triangle = light.triangle;
-    // |cross| is twice the area, so this is 2 A cos: no normal to normalise, and its sign tells the side.
-    const float facing = -dot(s.wi, cross(edge1, edge2));
+    // Twice the area long, so that `facing` is 2 A cos: no normal to normalise, and its sign tells the side.
+    const vec3 normal = cross(edge1, edge2);
+    const float facing = -dot(s.wi, normal);
+    s.reach = leave_reach(point, point + to_light, distance, normal, facing,
+                          leave_error(light.p0, light.p1, light.p2));
     s.pdf = 2.0 * distance2 / abs(facing);
     const bool valid = distance2 > LIGHT_NEAR_SQUARED && facing != 0.0 && s.pdf > 0.0 && s.pdf <= LIGHT_FAR;
     const bool lit = facing > 0.0 || (light.kind & LIGHT_TWO_SIDED) != 0u;

@@ -10,15 +10,15 @@ const uint MAX_SEGMENT_SIZE = 1024;
 
 // One path under way; compacted within its segment after every bounce.
 struct PathState {
-    vec3 origin;      // world, metres; exactly on the triangle it leaves (no epsilon)
+    vec3 origin;      // world, metres; off the triangle it leaves by the rounding error (leave.glsl)
     uint home;        // slot the path was born in: index of its radiance, gives pixel and sample
     vec3 direction;   // world, unit
+    uint leaves;      // triangle the ray leaves: never hit; NO_TRIANGLE: none
+    vec3 beta;        // throughput: product of f cos / pdf, Russian roulette included
     // Density of `direction` by solid angle (1/sr) as BSDF sampling made it; 0: delta or camera ray
     float pdf;
-    vec3 beta;        // throughput: product of f cos / pdf, Russian roulette included
-    uint salt;        // random bits of this ray, for stochastic alpha
-    uint triangle;    // in: triangle the ray leaves (NO_TRIANGLE: none); out: triangle hit, in leaf order
-    uint instance;    // likewise; index of the InstanceRecord
+    uint triangle;    // out: triangle hit, in leaf order; NO_TRIANGLE: none
+    uint instance;    // index of the InstanceRecord; in: of `leaves`; out: of `triangle`
     float u;          // out: barycentric weight of the triangle's second vertex
     float v;          // out: of its third
 };
@@ -26,16 +26,14 @@ DUAL_SIZE(PathState, 64);
 
 // A visibility test with what it brings when nothing is in the way.
 struct ShadowRay {
-    vec3 origin;       // world, metres
-    uint home;         // the path's
+    vec3 origin;       // world, metres; as a path's
+    uint leaves;       // as a path's
     vec3 direction;    // world, unit
-    float distance;    // metres to the light; hits at or beyond it do not count
+    float reach;       // metres: hits at or beyond it do not count; ends before an emissive triangle's plane
     vec3 contribution; // radiance added to the path's when unoccluded
-    uint triangle;     // triangle the ray leaves: never hit
-    uint instance;
-    uint light_triangle; // triangle the ray aims at: never hit; NO_TRIANGLE for other lights
-    uint light_instance;
-    uint salt;         // random bits of this ray for stochastic alpha
+    uint home;         // the path's
+    uint instance;     // of `leaves`
+    uint pad[3];
 };
 DUAL_SIZE(ShadowRay, 64);
 

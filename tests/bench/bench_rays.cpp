@@ -167,9 +167,9 @@ class SceneBench {
         bool clear_blocker = false, any_blocker = false;
         for (const shared::TriangleRecord& triangle : camera_.triangles()) {
             const ExactHit hit = exact_hit(triangle, ray.origin, ray.direction);
-            const double margin = SAME_T * ray.distance;
-            any_blocker |= hit.inside > -EDGE && hit.t > -margin && hit.t < ray.distance + margin;
-            clear_blocker |= hit.inside > EDGE && hit.t > margin && hit.t < ray.distance - margin;
+            const double margin = SAME_T * ray.reach;
+            any_blocker |= hit.inside > -EDGE && hit.t > -margin && hit.t < ray.reach + margin;
+            clear_blocker |= hit.inside > EDGE && hit.t > margin && hit.t < ray.reach - margin;
         }
         return ajar_open ? clear_blocker : !any_blocker;
     }

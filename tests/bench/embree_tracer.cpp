@@ -97,7 +97,7 @@ void EmbreeTracer::intersect(std::span<const shared::PathState> rays, std::span<
 
 void EmbreeTracer::occluded(std::span<const shared::ShadowRay> rays, std::span<char> open) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        RTCRay query = make_ray(rays[i].origin, rays[i].direction, rays[i].distance);
+        RTCRay query = make_ray(rays[i].origin, rays[i].direction, rays[i].reach);
         occluded1(impl_->scene, query);
         open[i] = query.tfar >= 0; // -inf: something is in the way
     }

@@ -60,7 +60,7 @@ std::vector<shared::PathState> bounce_rays(std::span<const shared::PathState> hi
         const Departure from = depart(hit, triangles);
         const glm::vec3 direction = from.normal * 1.0001f + toward;
         shared::PathState ray = test::make_ray(from.position, glm::normalize(direction));
-        ray.triangle = hit.triangle;
+        ray.leaves = hit.triangle;
         rays.push_back(ray);
     }
     return rays;
@@ -81,9 +81,8 @@ std::vector<shared::ShadowRay> shadow_rays(const BenchScene& scene, std::span<co
         shared::ShadowRay ray{};
         ray.origin = from.position;
         ray.direction = way / distance;
-        ray.distance = distance * 0.999f;
-        ray.triangle = hit.triangle;
-        ray.light_triangle = shared::NO_TRIANGLE;
+        ray.reach = distance * 0.999f;
+        ray.leaves = hit.triangle;
         rays.push_back(ray);
     }
     return rays;

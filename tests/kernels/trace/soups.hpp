@@ -44,7 +44,7 @@ inline shared::PathState make_ray(const glm::vec3& origin, const glm::vec3& dire
     shared::PathState path{};
     path.origin = origin;
     path.direction = direction;
-    path.triangle = shared::NO_TRIANGLE;
+    path.leaves = path.triangle = shared::NO_TRIANGLE;
     return path;
 }
 

@@ -107,6 +107,7 @@ SegmentArgs TraceRig::begin(std::size_t rays, bool shadows) {
         bindings_.storage(BIND_RADIANCE, radiance_);
         bindings_.table(BIND_PATHS_READ, paths_);
         bindings_.table(BIND_SHADOW_RAYS_READ, shadow_rays_);
+        bindings_.table(BIND_RADIANCE_READ, radiance_);
     }
     std::vector<SegmentCounts> counts(segments);
     for (std::uint32_t s = 0; s < segments; ++s) {
