@@ -10,9 +10,8 @@
 namespace ajar::bvh {
 namespace {
 
-constexpr std::uint32_t MAX_BINS = 32;
-constexpr std::uint32_t FEW_BINS = 8; // most nodes are small, and clearing bins would be their main cost
-constexpr std::uint32_t FEW_ITEMS = 64;
+constexpr std::uint32_t BINS = 32;
+constexpr std::uint32_t FEW_ITEMS = 32; // of which every plane between two centres is tried
 constexpr std::uint32_t PARALLEL_SUBTREE = 2048; // items worth a task of their own
 constexpr std::uint32_t PARALLEL_BINNING = 1u << 16;
 constexpr std::uint32_t BINNING_GRAIN = 1u << 14;
@@ -43,28 +42,26 @@ struct Extent {
 
 // Maps centres to bins; the same function bins and partitions, so both always agree.
 struct Binning {
-    std::uint32_t count = 0;
     float lower[3];
     float scale[3]; // 0: all centres coincide on that axis
 
-    Binning(const Box& centers, std::uint32_t items)
-        : count(std::min(items <= FEW_ITEMS ? FEW_BINS : MAX_BINS, 4 + items / 16)) {
+    explicit Binning(const Box& centers) {
         for (int axis = 0; axis < 3; ++axis) {
             const float extent = centers.upper[axis] - centers.lower[axis];
-            const float s = float(count) * 0.9999f / extent;
+            const float s = float(BINS) * 0.9999f / extent;
             lower[axis] = centers.lower[axis];
             scale[axis] = extent > 0 && std::isfinite(s) ? s : 0;
         }
     }
     std::uint32_t bin(const Item& item, int axis) const {
         const float place = (item.center(axis) - lower[axis]) * scale[axis];
-        return std::uint32_t(std::min(place > 0 ? place : 0, float(count - 1))); // NaN (overflow): bin 0
+        return std::uint32_t(std::min(place > 0 ? place : 0, float(BINS - 1))); // NaN (overflow): bin 0
     }
 };
 
-template <std::uint32_t CAPACITY> struct Bins {
-    Box boxes[3][CAPACITY];
-    std::uint32_t counts[3][CAPACITY] = {};
+struct Bins {
+    Box boxes[3][BINS];
+    std::uint32_t counts[3][BINS] = {};
 
     void add(const Binning& binning, std::span<const Item> items) {
         for (const Item& item : items) {
@@ -75,9 +72,9 @@ template <std::uint32_t CAPACITY> struct Bins {
             }
         }
     }
-    void add(const Bins& other, std::uint32_t count) {
+    void add(const Bins& other) {
         for (int axis = 0; axis < 3; ++axis) {
-            for (std::uint32_t b = 0; b < count; ++b) {
+            for (std::uint32_t b = 0; b < BINS; ++b) {
                 boxes[axis][b].include(other.boxes[axis][b]);
                 counts[axis][b] += other.counts[axis][b];
             }
@@ -91,15 +88,15 @@ struct Split {
     std::uint32_t left_count = 0;
 };
 
-template <std::uint32_t CAPACITY> Split best_split(const Binning& binning, const Bins<CAPACITY>& bins) {
+Split best_split(const Binning& binning, const Bins& bins) {
     Split best;
     double best_cost = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         if (binning.scale[axis] == 0) continue;
-        double right_costs[CAPACITY];
+        double right_costs[BINS];
         Box box;
         std::uint32_t count = 0;
-        for (std::uint32_t b = binning.count - 1; b > 0; --b) {
+        for (std::uint32_t b = BINS - 1; b > 0; --b) {
             box.include(bins.boxes[axis][b]);
             count += bins.counts[axis][b];
             right_costs[b] = box.half_area() * count;
@@ -107,7 +104,7 @@ template <std::uint32_t CAPACITY> Split best_split(const Binning& binning, const
         const std::uint32_t total = count + bins.counts[axis][0];
         box = {};
         count = 0;
-        for (std::uint32_t b = 1; b < binning.count; ++b) {
+        for (std::uint32_t b = 1; b < BINS; ++b) {
             box.include(bins.boxes[axis][b - 1]);
             count += bins.counts[axis][b - 1];
             const double cost = box.half_area() * count + right_costs[b];
@@ -115,6 +112,36 @@ template <std::uint32_t CAPACITY> Split best_split(const Binning& binning, const
         }
     }
     return best;
+}
+
+// Of the planes between two centres the best; the items are left in order along its axis.
+std::uint32_t sweep(std::span<Item> items) {
+    std::uint32_t best_left = 0;
+    int best_axis = 0;
+    double best_cost = std::numeric_limits<double>::infinity();
+    const auto sort = [items](int axis) {
+        std::sort(items.begin(), items.end(), [axis](const Item& a, const Item& b) {
+            const float x = a.center(axis), y = b.center(axis);
+            return x != y ? x < y : a.index() < b.index();
+        });
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        sort(axis);
+        double right_costs[FEW_ITEMS];
+        Box box;
+        for (std::size_t i = items.size() - 1; i > 0; --i) {
+            box.include(items[i].box);
+            right_costs[i] = box.half_area() * double(items.size() - i);
+        }
+        box = {};
+        for (std::size_t i = 1; i < items.size(); ++i) {
+            box.include(items[i - 1].box);
+            const double cost = box.half_area() * double(i) + right_costs[i];
+            if (cost < best_cost) best_cost = cost, best_axis = axis, best_left = std::uint32_t(i);
+        }
+    }
+    if (best_axis != 2) sort(best_axis);
+    return best_left;
 }
 
 class Builder {
@@ -183,9 +210,11 @@ class Builder {
         const auto count = std::uint32_t(items.size());
         if (count == 2) return 1;
         if (rule_ == SplitRule::median) return halve(items, extent.centers);
-        const Binning binning(extent.centers, count);
-        const Split best = count <= FEW_ITEMS ? best_split(binning, fill<FEW_BINS>(binning, items))
-                                              : best_split(binning, fill<MAX_BINS>(binning, items));
+        if (count <= FEW_ITEMS && depth + count <= MAX_BINARY_DEPTH) {
+            if (const std::uint32_t left = sweep(items); left > 0) return left;
+        }
+        const Binning binning(extent.centers);
+        const Split best = best_split(binning, fill(binning, items));
         const std::uint32_t larger = std::max(best.left_count, count - best.left_count);
         if (best.axis < 0 || depth + 1 + std::uint32_t(std::bit_width(larger)) > MAX_BINARY_DEPTH)
             return halve(items, extent.centers);
@@ -208,21 +237,20 @@ class Builder {
         return std::uint32_t(half);
     }
 
-    template <std::uint32_t CAPACITY>
-    static Bins<CAPACITY> fill(const Binning& binning, std::span<const Item> items) {
+    static Bins fill(const Binning& binning, std::span<const Item> items) {
         if (items.size() < PARALLEL_BINNING) {
-            Bins<CAPACITY> bins;
+            Bins bins;
             bins.add(binning, items);
             return bins;
         }
         return tbb::parallel_reduce(
-            tbb::blocked_range<std::size_t>(0, items.size(), BINNING_GRAIN), Bins<CAPACITY>{},
-            [&](const auto& range, Bins<CAPACITY> bins) {
+            tbb::blocked_range<std::size_t>(0, items.size(), BINNING_GRAIN), Bins{},
+            [&](const auto& range, Bins bins) {
                 bins.add(binning, items.subspan(range.begin(), range.size()));
                 return bins;
             },
-            [&](Bins<CAPACITY> a, const Bins<CAPACITY>& b) {
-                a.add(b, binning.count);
+            [](Bins a, const Bins& b) {
+                a.add(b);
                 return a;
             });
     }
