@@ -11,7 +11,7 @@
 const float BOX_MIN_DIRECTION = 8.8817842e-16; // 2^-50
 const float BOX_FAR =
     1.0 + 1.0 / 1048576.0;       // a few roundings at 2^-24 each, with room for inexact reciprocals
-const float BOX_NEAR = -1.0e-30; // behind the origin only by name; 0 would compile to something slower
+const float BOX_NEAR = -1.0e-30; // behind the origin only by name
 
 struct BoxRay {
     vec3 origin;
@@ -65,9 +65,9 @@ uint box_slot(uint bits, uint index, uint nx, uint ny, uint nz, uint fx, uint fy
     float x1 = box_byte(fx, index) * far_scale.x + far_offset.x;
     float y1 = box_byte(fy, index) * far_scale.y + far_offset.y;
     float z1 = box_byte(fz, index) * far_scale.z + far_offset.z;
-    float near = box_max(box_max(x0, y0), box_max(z0, BOX_NEAR));
+    float near = box_max(box_max(x0, y0), z0);
     float far = box_min(box_min(x1, y1), box_min(z1, limit));
-    return near <= far ? bits : 0u;
+    return near <= far && far >= BOX_NEAR ? bits : 0u;
 }
 
 // The steps of a node's grid.

@@ -11,7 +11,7 @@
 const uint BVH_PACKET_SHALLOW = 2u;
 
 struct BvhPacket {
-    BvhWalk walk; // each thread's own ray and hit; cursor and depth are the same in all
+    BvhWalk walk; // each thread's own ray and hit; cursor, depth and the box's key are the same in all
     uint waiting[BVH_PACKET_REGISTERS];
 };
 
@@ -34,12 +34,14 @@ float bvh_float_from(uint word, uint thread) { return uintBitsToFloat(subgroupSh
 // One axis of the slot that a thread decodes, as steps: byte `shift` of one of two words that thread `from`
 // fetched.
 float bvh_packet_plane(uint first, uint second, uint from, uint slot) {
-    uint word = slot < 4u ? subgroupShuffle(first, from) : subgroupShuffle(second, from);
-    return float(int(word >> 8u * (slot & 3u) & 0xffu));
+    uint low = subgroupShuffle(first, from); // never within a choice: all threads must take part
+    uint high = subgroupShuffle(second, from);
+    return float(int((slot < 4u ? low : high) >> 8u * (slot & 3u) & 0xffu));
 }
 
-// What any of the rays meets in a node. The order is the first ray's.
-NodeHits bvh_packet_node(uint node, BoxRay ray, float limit) {
+// What any of the rays meets in a node. `one_octant`: all go the same way along each axis, so that near and far
+// sides are told apart once for all of them.
+NodeHits bvh_packet_node(uint node, BoxRay ray, float limit, const bool one_octant) {
     uint slot = gl_SubgroupInvocationID & 7u;
     uvec4 mine = fetch_node(node * BVH_NODE_TEXELS + min(slot, BVH_NODE_TEXELS - 1u));
     vec3 offset = (vec3(bvh_float_from(mine.x, 0u), bvh_float_from(mine.y, 0u), bvh_float_from(mine.z, 0u)) -
@@ -52,17 +54,28 @@ NodeHits bvh_packet_node(uint node, BoxRay ray, float limit) {
     vec3 upper =
         step * vec3(bvh_packet_plane(mine.z, mine.w, 3u, slot), bvh_packet_plane(mine.x, mine.y, 4u, slot),
                     bvh_packet_plane(mine.z, mine.w, 4u, slot));
+    bvec3 forward = bvec3((ray.key & 1u) != 0u, (ray.key & 2u) != 0u, (ray.key & 4u) != 0u);
+    vec3 near = one_octant ? mix(upper, lower, forward) : lower;
+    vec3 far = one_octant ? mix(lower, upper, forward) : upper;
+    float widen = one_octant ? BOX_FAR : 1.0; // else the far sides are known only further down
+    vec3 far_inverse = ray.inverse * widen;
+    vec3 far_offset = offset * widen;
     uint hits = 0u;
     for (uint s = 0u; s < BVH_WIDTH; ++s) {
-        float x0 = subgroupShuffle(lower.x, s) * ray.inverse.x + offset.x;
-        float y0 = subgroupShuffle(lower.y, s) * ray.inverse.y + offset.y;
-        float z0 = subgroupShuffle(lower.z, s) * ray.inverse.z + offset.z;
-        float x1 = subgroupShuffle(upper.x, s) * ray.inverse.x + offset.x;
-        float y1 = subgroupShuffle(upper.y, s) * ray.inverse.y + offset.y;
-        float z1 = subgroupShuffle(upper.z, s) * ray.inverse.z + offset.z;
-        float near = box_max(box_max(box_min(x0, x1), box_min(y0, y1)), box_max(box_min(z0, z1), BOX_NEAR));
-        float far = box_min(box_min(box_max(x0, x1), box_max(y0, y1)), box_max(z0, z1)) * BOX_FAR;
-        hits |= near <= box_min(far, limit) ? ray.bits[s] : 0u;
+        float x0 = subgroupShuffle(near.x, s) * ray.inverse.x + offset.x;
+        float y0 = subgroupShuffle(near.y, s) * ray.inverse.y + offset.y;
+        float z0 = subgroupShuffle(near.z, s) * ray.inverse.z + offset.z;
+        float x1 = subgroupShuffle(far.x, s) * far_inverse.x + far_offset.x;
+        float y1 = subgroupShuffle(far.y, s) * far_inverse.y + far_offset.y;
+        float z1 = subgroupShuffle(far.z, s) * far_inverse.z + far_offset.z;
+        float enter = box_max(box_max(x0, y0), z0);
+        float leave = box_min(box_min(x1, y1), z1);
+        if (!one_octant) {
+            enter = box_max(box_max(box_min(x0, x1), box_min(y0, y1)), box_min(z0, z1));
+            leave = box_min(box_min(box_max(x0, x1), box_max(y0, y1)), box_max(z0, z1)) * BOX_FAR;
+        }
+        leave = box_min(leave, limit);
+        hits |= enter <= leave && leave >= BOX_NEAR ? ray.bits[s] : 0u;
     }
     return box_hits(bvh_or(hits),
                     uvec4(subgroupShuffle(mine.x, 1u), subgroupShuffle(mine.y, 1u),
@@ -71,11 +84,11 @@ NodeHits bvh_packet_node(uint node, BoxRay ray, float limit) {
 }
 
 // Visits the nearest pending node.
-void bvh_packet_node_step(inout BvhPacket packet) {
+void bvh_packet_node_step(inout BvhPacket packet, const bool one_octant) {
     uint group = packet.walk.cursor.group;
     uint order = uint(findMSB(group & 0xffu));
     NodeHits hits = bvh_packet_node((group >> 8) + (order ^ packet.walk.box.key), packet.walk.box,
-                                    box_min(packet.walk.hit.t, BVH_FAR) * BOX_FAR);
+                                    box_min(packet.walk.hit.t, BVH_FAR) * BOX_FAR, one_octant);
     uint rest = group & ~(1u << order);
     bool deeper = (hits.group & 0xffu) != 0u;
     bool more = (rest & 0xffu) != 0u;
@@ -96,7 +109,7 @@ void bvh_packet_node_step(inout BvhPacket packet) {
     packet.walk.depth += pushes ? 1u : pops && packet.walk.depth > 0u ? 0xffffffffu : 0u;
 }
 
-// One coordinate of three vertices, from the thread that fetched it.
+// One coordinate of three vertices, from the thread that fetched it: each ray has its own order of axes.
 vec3 bvh_packet_coordinates(uvec4 mine, uint thread) {
     return vec3(bvh_float_from(mine.x, thread), bvh_float_from(mine.y, thread),
                 bvh_float_from(mine.z, thread));
@@ -106,23 +119,67 @@ void bvh_packet_triangle_step(BvhRay ray, inout BvhPacket packet, const bool any
     uint triangle = bvh_take_leaf(packet.walk);
     uvec4 mine =
         fetch_triangle(triangle * TRIANGLE_TEXELS + min(gl_SubgroupInvocationID & 7u, TRIANGLE_TEXELS - 1u));
-    vec3 x = bvh_packet_coordinates(mine, 0u);
-    vec3 y = bvh_packet_coordinates(mine, 1u);
-    vec3 z = bvh_packet_coordinates(mine, 2u);
-    uvec3 texels = packet.walk.shear.texels;
-    bool main_x = texels.z == 0u;
-    bool main_y = texels.z == 1u;
-    TriangleHit test = triangle_test(packet.walk.shear,
-                                     main_x   ? y
-                                     : main_y ? z
-                                              : x,
-                                     main_x   ? z
-                                     : main_y ? x
-                                              : y,
-                                     main_x   ? x
-                                     : main_y ? y
-                                              : z);
+    uvec3 axes = packet.walk.shear.texels;
+    TriangleHit test = triangle_test(packet.walk.shear, bvh_packet_coordinates(mine, axes.x),
+                                     bvh_packet_coordinates(mine, axes.y), bvh_packet_coordinates(mine, axes.z));
     bvh_accept(ray, packet.walk, triangle, subgroupShuffle(mine.w, 0u), test, any_hit);
+}
+
+// The lowest thread that is `ready`, if any is.
+uint bvh_leader(bool ready) {
+    uint leader = ready ? gl_SubgroupInvocationID : WORKGROUP_SIZE - 1u;
+    if (WORKGROUP_SIZE > 1u) leader = min(leader, subgroupShuffleXor(leader, 1u));
+    if (WORKGROUP_SIZE > 2u) leader = min(leader, subgroupShuffleXor(leader, 2u));
+    if (WORKGROUP_SIZE > 4u) leader = min(leader, subgroupShuffleXor(leader, 4u));
+    if (WORKGROUP_SIZE > 8u) leader = min(leader, subgroupShuffleXor(leader, 8u));
+    if (WORKGROUP_SIZE > 16u) leader = min(leader, subgroupShuffleXor(leader, 16u));
+    if (WORKGROUP_SIZE > 32u) leader = min(leader, subgroupShuffleXor(leader, 32u));
+    if (WORKGROUP_SIZE > 64u) leader = min(leader, subgroupShuffleXor(leader, 64u));
+    return leader;
+}
+
+// The rays whose limit is positive, from the root on. False when the budget ran out before they were done.
+bool bvh_trace_packet(BvhRay ray, inout BvhPacket packet, inout uint spent, const bool one_octant,
+                      const bool any_hit) {
+    packet.walk.cursor = BvhCursor(bvh_root_group(frame.root, packet.walk.box.key), 0u, 0u, 0u);
+    packet.walk.depth = 0u;
+    for (uint r = 0u; r < BVH_PACKET_REGISTERS; ++r) packet.waiting[r] = 0u;
+    for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
+        for (; spent < BVH_BUDGET; ++spent) {
+            bvh_packet_node_step(packet, one_octant);
+            if (!bvh_wants_node(packet.walk)) break;
+        }
+        if (bvh_has_leaves(packet.walk)) {
+            for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
+                bvh_packet_triangle_step(ray, packet, any_hit);
+                if (!bvh_has_leaves(packet.walk)) break;
+            }
+        }
+        // Rays that are done have a negative limit and meet nothing more.
+        if (any_hit && bvh_or(packet.walk.hit.t > 0.0 ? 1u : 0u) == 0u) packet.walk.cursor.group = 0u;
+        if (!bvh_going(packet.walk)) break;
+    }
+    return !bvh_going(packet.walk);
+}
+
+// Once for each octant that the directions are in: for camera rays that is one, but at the picture's middle.
+// Returns whether this thread's ray could not be finished.
+uint bvh_trace_octants(BvhRay ray, inout BvhPacket packet, bool waits, inout uint spent) {
+    uint own_key = packet.walk.box.key;
+    uint unfinished = 0u;
+    for (uint octant = 0u; octant < 8u; ++octant) {
+        uint key = subgroupShuffle(own_key, bvh_leader(waits));
+        bool now = waits && own_key == key;
+        box_set_key(packet.walk.box, key);
+        float limit = packet.walk.hit.t;
+        packet.walk.hit.t = now ? limit : -1.0;
+        bool done = bvh_trace_packet(ray, packet, spent, true, false);
+        packet.walk.hit.t = now ? packet.walk.hit.t : limit;
+        unfinished += now && !done ? 1u : 0u;
+        waits = waits && !now;
+        if (bvh_or(waits ? 1u : 0u) == 0u) break;
+    }
+    return unfinished;
 }
 
 uint bvh_trace_packets(uint count, const bool any_hit) {
@@ -133,29 +190,13 @@ uint bvh_trace_packets(uint count, const bool any_hit) {
         BvhRay ray = bvh_ray_of(min(i, count - 1u));
         BvhPacket packet;
         packet.walk = bvh_begin(ray);
-        box_set_key(packet.walk.box, subgroupShuffle(packet.walk.box.key, 0u));
-        packet.walk.cursor.group = bvh_root_group(frame.root, packet.walk.box.key);
-        packet.walk.hit.t = i < count ? packet.walk.hit.t : -1.0;
-        for (uint r = 0u; r < BVH_PACKET_REGISTERS; ++r) packet.waiting[r] = 0u;
-        for (uint round = 0u; round < BVH_BUDGET; ++round) {
-            for (uint k = 0u; k < BVH_BUDGET; ++k) {
-                ++spent;
-                bvh_packet_node_step(packet);
-                if (!bvh_wants_node(packet.walk)) break;
-            }
-            if (bvh_has_leaves(packet.walk)) {
-                for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
-                    ++spent;
-                    bvh_packet_triangle_step(ray, packet, any_hit);
-                    if (!bvh_has_leaves(packet.walk)) break;
-                }
-            }
-            ++spent;
-            // Rays that are done have a negative limit and meet nothing more.
-            if (any_hit && bvh_or(packet.walk.hit.t > 0.0 ? 1u : 0u) == 0u) packet.walk.cursor.group = 0u;
-            if (!bvh_going(packet.walk) || spent > BVH_BUDGET) break;
+        if (any_hit) { // shadow rays from one place to one light may go into several octants
+            box_set_key(packet.walk.box, subgroupShuffle(packet.walk.box.key, 0u));
+            packet.walk.hit.t = i < count ? packet.walk.hit.t : -1.0;
+            if (!bvh_trace_packet(ray, packet, spent, false, any_hit)) unfinished += i < count ? 1u : 0u;
+        } else {
+            unfinished += bvh_trace_octants(ray, packet, i < count, spent);
         }
-        unfinished += bvh_going(packet.walk) && i < count ? 1u : 0u;
         if (i < count) bvh_found(i, packet.walk.hit, true);
         if (first + WORKGROUP_SIZE >= count) break;
     }
