@@ -147,4 +147,12 @@ SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
     return scene;
 }
 
+std::uint32_t stack_registers(const SceneBvh& bvh) {
+    if (!bvh.placement_order.empty()) return 0;
+    // One group for each level between the root and the last inner node.
+    const std::uint32_t waiting = std::max(bvh.stats.depth, 3u) - 2;
+    const std::uint32_t rounded = (waiting + 3) / 4 * 4;
+    return rounded <= shared::BVH_REGISTERS ? rounded : 0;
+}
+
 } // namespace ajar::bvh

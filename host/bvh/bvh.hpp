@@ -75,4 +75,8 @@ struct SceneBvh {
 SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
                          std::span<const Placement> placements, const BuildOptions& options = {});
 
+// SPEC_STACK_REGISTERS: how many groups of nodes can wait at a time on the way through this hierarchy, rounded
+// up so that few kernels are compiled; 0 where they are better in memory.
+std::uint32_t stack_registers(const SceneBvh& bvh);
+
 } // namespace ajar::bvh

@@ -68,7 +68,7 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     triangle_count_ = host.geometry.triangles.size();
     bvh_seconds_ = host.geometry.bvh.stats.seconds;
     if (host.geometry.instances.size() > 1) features_ |= FEATURE_INSTANCES;
-    if (host.geometry.bvh.stats.depth > BVH_SHALLOW_DEPTH) features_ |= FEATURE_DEEP;
+    stack_registers_ = bvh::stack_registers(host.geometry.bvh);
     if (host.geometry.has_alpha) features_ |= FEATURE_ALPHA;
     if (geometry_options.extended_surfaces) features_ |= FEATURE_EXTENDED_SURFACE;
     frame_.root = host.geometry.bvh.root;

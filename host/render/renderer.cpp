@@ -149,6 +149,7 @@ gpu::Specialization RenderJob::specialization() const {
             {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u},
             {SPEC_FEATURES, features},
             {SPEC_PATH_TEXELS, pool_.read_by_texels(device_) ? 1u : 0u},
+            {SPEC_STACK_REGISTERS, gpu_scene_.stack_registers()},
             {SPEC_STRATEGY, find_strategy(settings_.strategy)},
             {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)}};
 }

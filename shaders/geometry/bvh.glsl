@@ -38,9 +38,7 @@ const float BVH_FAR = 3.0e38;             // finite, so that a limit times a mar
 // Groups whose turn comes later. Where the hierarchy is shallow, as almost always, they are in registers, the
 // next one first: on lavapipe moving all of them costs less than one store to a different place for every
 // thread.
-const uint BVH_REGISTERS = 12; // at most BVH_SHALLOW_DEPTH - 2 groups wait at a time
-uint bvh_stack[BVH_STACK];     // elsewhere; the next one last. In two-level scenes each level has its part
-bool bvh_shallow() { return !has_feature(FEATURE_INSTANCES | FEATURE_DEEP); }
+uint bvh_stack[BVH_STACK]; // elsewhere; the next one last. In two-level scenes each level has its part
 
 // A ray under way, in the frame in which it is at the moment.
 struct BvhWalk {
@@ -114,14 +112,16 @@ void bvh_node_step(inout BvhWalk walk) {
     walk.cursor = BvhCursor(deeper ? hits.group : rest, hits.triangle_base, hits.leaves, hits.leaf_hits);
     bool pushes = deeper && more;
     bool pops = !deeper && !more;
-    if (bvh_shallow()) {
+    if (STACK_REGISTERS > 0u) {
         walk.cursor.group = pops ? walk.waiting[0] : walk.cursor.group;
         uint before = rest;
         for (uint i = 0u; i < BVH_REGISTERS; ++i) {
-            uint now = walk.waiting[i];
-            uint after = i + 1u < BVH_REGISTERS ? walk.waiting[min(i + 1u, BVH_REGISTERS - 1u)] : 0u;
-            walk.waiting[i] = pushes ? before : pops ? after : now;
-            before = now;
+            if (i < STACK_REGISTERS) {
+                uint now = walk.waiting[i];
+                uint after = i + 1u < STACK_REGISTERS ? walk.waiting[min(i + 1u, BVH_REGISTERS - 1u)] : 0u;
+                walk.waiting[i] = pushes ? before : pops ? after : now;
+                before = now;
+            }
         }
     } else {
         if (pushes) bvh_push(walk, rest);

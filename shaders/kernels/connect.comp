@@ -31,7 +31,7 @@ void main() {
     if (segment == NO_SEGMENT) return;
     first_slot = segment * SEGMENT_SIZE;
     uint count = segments[segment].shadows;
-    uint unfinished = bvh_trace_all(count, OPTION == 0u, true);
+    uint unfinished = bvh_trace_all(count, OPTION == CONNECT_TOGETHER, true);
     if (unfinished > 0u) atomicAdd(segments[segment].loops_exhausted, unfinished);
     if (open_rays > 0u) {
         uint low = atomicAdd(segments[segment].shadows_open[0], open_rays);

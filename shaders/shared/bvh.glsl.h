@@ -8,7 +8,7 @@ DUAL_BEGIN
 
 const uint BVH_WIDTH = 8;
 const uint BVH_MAX_DEPTH = 32;     // nodes on a way from root to leaf; both levels together: twice that
-const uint BVH_SHALLOW_DEPTH = 14; // up to here, and without instances, a ray's stack fits into registers
+const uint BVH_REGISTERS = 12;     // at most so many groups of a ray's stack are kept in registers
 const uint BVH_MAX_LEAF = 3;       // triangles of a leaf
 const uint BVH_NODE_TEXELS = 5;
 const uint BVH_MAX_NODES = 1u << 24;

@@ -16,11 +16,11 @@ class Extend : public GpuTest {};
 std::vector<RigOptions> all_variants() {
     std::vector<RigOptions> variants;
     for (const std::uint32_t option : {shared::EXTEND_CAMERA, shared::EXTEND_BOUNCE}) {
-        for (const std::uint32_t features : {0u, shared::FEATURE_DEEP}) {
+        for (const bool stack_in_memory : {false, true}) {
             for (const std::uint32_t workgroup : {0u, 16u}) {
                 RigOptions variant;
                 variant.extend_option = option;
-                variant.features = features;
+                variant.stack_in_memory = stack_in_memory;
                 variant.workgroup_size = workgroup;
                 variants.push_back(variant);
             }

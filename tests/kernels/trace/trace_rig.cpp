@@ -8,17 +8,22 @@ namespace {
 
 using namespace shared;
 
-gpu::Specialization specialization(const gpu::Device& device, const TraceScene& scene,
+gpu::Specialization specialization(const gpu::Device& device, const bvh::SceneBvh& bvh,
                                    const RigOptions& options, std::uint32_t option) {
     const std::uint32_t workgroup =
         options.workgroup_size != 0 ? options.workgroup_size : device.workgroup_size();
-    const std::uint32_t features = options.features | (scene.placements.empty() ? 0 : FEATURE_INSTANCES);
     return {{SPEC_WORKGROUP_SIZE, workgroup},
             {SPEC_SEGMENT_SIZE, options.segment_size},
             {SPEC_TEXEL_BUFFERS, options.texel_buffers ? 1 : 0},
             {SPEC_PATH_TEXELS, options.texel_buffers ? 1 : 0},
-            {SPEC_FEATURES, features},
+            {SPEC_FEATURES, bvh.placement_order.empty() ? 0 : FEATURE_INSTANCES},
+            {SPEC_STACK_REGISTERS, options.stack_in_memory ? 0 : bvh::stack_registers(bvh)},
             {SPEC_OPTION, option}};
+}
+
+bvh::SceneBvh build(const TraceScene& scene) {
+    const std::vector<std::span<const bvh::Triangle>> meshes(scene.meshes.begin(), scene.meshes.end());
+    return bvh::build_scene_bvh(meshes, scene.placements);
 }
 
 double process_seconds() {
@@ -54,9 +59,9 @@ InstanceRecord instance_record(const bvh::Placement& placement, std::uint32_t ro
 }
 
 TraceRig::TraceRig(const gpu::Device& device, const TraceScene& scene, const RigOptions& options)
-    : device_(device), options_(options), bindings_(device),
-      extend_(device, "extend", specialization(device, scene, options, options.extend_option)),
-      connect_(device, "connect", specialization(device, scene, options, options.connect_option)) {
+    : device_(device), options_(options), bvh_(build(scene)), bindings_(device),
+      extend_(device, "extend", specialization(device, bvh_, options, options.extend_option)),
+      connect_(device, "connect", specialization(device, bvh_, options, options.connect_option)) {
     fill_tables(scene);
     nodes_buffer_ = upload(device, bvh_.nodes, "nodes");
     triangles_buffer_ = upload(device, triangles_, "triangles");
@@ -76,8 +81,6 @@ TraceRig::TraceRig(const gpu::Device& device, const TraceScene& scene, const Rig
 }
 
 void TraceRig::fill_tables(const TraceScene& scene) {
-    const std::vector<std::span<const bvh::Triangle>> meshes(scene.meshes.begin(), scene.meshes.end());
-    bvh_ = bvh::build_scene_bvh(meshes, scene.placements);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const bvh::MeshRange& range = bvh_.meshes[m];
         for (std::uint32_t k = 0; k < range.triangle_count; ++k) {

@@ -24,9 +24,9 @@ struct RigOptions {
     std::uint32_t segment_size = 256;
     std::uint32_t workgroup_size = 0; // 0: the device's
     bool texel_buffers = true;
-    std::uint32_t extend_option = 0;
-    std::uint32_t connect_option = 0;
-    std::uint32_t features = 0; // besides FEATURE_INSTANCES, which follows from the scene
+    std::uint32_t extend_option = shared::EXTEND_BOUNCE;
+    std::uint32_t connect_option = shared::CONNECT_APART;
+    bool stack_in_memory = false; // else as the hierarchy asks
 };
 
 struct RigResult {
