@@ -1,5 +1,5 @@
 // A subgroup's rays walk the hierarchy together: the way for rays that have much in common (camera rays,
-// shadow rays to one light). A node is fetched once, each thread decodes one of its slots, and shuffles hand
+// shadow rays to one light in a small scene). A node is fetched once, each thread decodes one of its slots, and shuffles hand
 // the boxes round; the stack lies across the threads' registers. For a workgroup that is one subgroup of at
 // least eight threads, without instances.
 #ifndef AJAR_BVH_PACKET_GLSL
@@ -138,51 +138,34 @@ uint bvh_leader(bool ready) {
     return leader;
 }
 
-// The rays whose limit is positive, from the root on. False when the budget ran out before they were done.
-bool bvh_trace_packet(BvhRay ray, inout BvhPacket packet, inout uint spent, const bool one_octant,
-                      const bool any_hit) {
+void bvh_packet_start(inout BvhPacket packet) {
     packet.walk.cursor = BvhCursor(bvh_root_group(frame.root, packet.walk.box.key), 0u, 0u, 0u);
     packet.walk.depth = 0u;
     for (uint r = 0u; r < BVH_PACKET_REGISTERS; ++r) packet.waiting[r] = 0u;
+}
+
+// The nearest hits of the rays whose limit is positive and that go into the packet's octant.
+void bvh_trace_octant(BvhRay ray, inout BvhPacket packet, inout uint spent) {
+    bvh_packet_start(packet);
     for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
         for (; spent < BVH_BUDGET; ++spent) {
-            bvh_packet_node_step(packet, one_octant);
+            bvh_packet_node_step(packet, true);
             if (!bvh_wants_node(packet.walk)) break;
         }
         if (bvh_has_leaves(packet.walk)) {
             for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
-                bvh_packet_triangle_step(ray, packet, any_hit);
+                bvh_packet_triangle_step(ray, packet, false);
                 if (!bvh_has_leaves(packet.walk)) break;
             }
         }
-        // Rays that are done have a negative limit and meet nothing more.
-        if (any_hit && bvh_or(packet.walk.hit.t > 0.0 ? 1u : 0u) == 0u) packet.walk.cursor.group = 0u;
         if (!bvh_going(packet.walk)) break;
     }
-    return !bvh_going(packet.walk);
 }
 
-// Once for each octant that the directions are in: for camera rays that is one, but at the picture's middle.
-// Returns whether this thread's ray could not be finished.
-uint bvh_trace_octants(BvhRay ray, inout BvhPacket packet, bool waits, inout uint spent) {
-    uint own_key = packet.walk.box.key;
-    uint unfinished = 0u;
-    for (uint octant = 0u; octant < 8u; ++octant) {
-        uint key = subgroupShuffle(own_key, bvh_leader(waits));
-        bool now = waits && own_key == key;
-        box_set_key(packet.walk.box, key);
-        float limit = packet.walk.hit.t;
-        packet.walk.hit.t = now ? limit : -1.0;
-        bool done = bvh_trace_packet(ray, packet, spent, true, false);
-        packet.walk.hit.t = now ? packet.walk.hit.t : limit;
-        unfinished += now && !done ? 1u : 0u;
-        waits = waits && !now;
-        if (bvh_or(waits ? 1u : 0u) == 0u) break;
-    }
-    return unfinished;
-}
-
-uint bvh_trace_packets(uint count, const bool any_hit) {
+// Traces rays 0 to count - 1 to their nearest hits; returns how many this thread could not finish. A packet is
+// traced once for each octant that its directions are in: for camera rays that is one, but at the picture's
+// middle.
+uint bvh_trace_packets(uint count) {
     uint spent = 0u;
     uint unfinished = 0u;
     for (uint first = 0u; first < count; first += WORKGROUP_SIZE) {
@@ -190,15 +173,81 @@ uint bvh_trace_packets(uint count, const bool any_hit) {
         BvhRay ray = bvh_ray_of(min(i, count - 1u));
         BvhPacket packet;
         packet.walk = bvh_begin(ray);
-        if (any_hit) { // shadow rays from one place to one light may go into several octants
-            box_set_key(packet.walk.box, subgroupShuffle(packet.walk.box.key, 0u));
-            packet.walk.hit.t = i < count ? packet.walk.hit.t : -1.0;
-            if (!bvh_trace_packet(ray, packet, spent, false, any_hit)) unfinished += i < count ? 1u : 0u;
-        } else {
-            unfinished += bvh_trace_octants(ray, packet, i < count, spent);
+        uint own_key = packet.walk.box.key;
+        bool waits = i < count;
+        for (uint octant = 0u; octant < 8u; ++octant) {
+            uint key = subgroupShuffle(own_key, bvh_leader(waits));
+            bool now = waits && own_key == key;
+            box_set_key(packet.walk.box, key);
+            float limit = packet.walk.hit.t;
+            packet.walk.hit.t = now ? limit : -1.0;
+            bvh_trace_octant(ray, packet, spent);
+            packet.walk.hit.t = now ? packet.walk.hit.t : limit;
+            unfinished += now && bvh_going(packet.walk) ? 1u : 0u;
+            waits = waits && !now;
+            if (bvh_or(waits ? 1u : 0u) == 0u) break;
         }
         if (i < count) bvh_found(i, packet.walk.hit, true);
         if (first + WORKGROUP_SIZE >= count) break;
+    }
+    return unfinished;
+}
+
+// Rays that are done have a negative limit and meet nothing more.
+void bvh_packet_stop_if_done(inout BvhPacket packet) {
+    if (bvh_or(packet.walk.hit.t > 0.0 ? 1u : 0u) == 0u) packet.walk.cursor.group = 0u;
+}
+
+// Whether anything is in the way of the rays whose limit is positive. Two packets in turn, as every step of
+// one waits for memory and for its own results: a CPU works on the other meanwhile.
+void bvh_trace_pair(BvhRay ray_a, BvhRay ray_b, inout BvhPacket a, inout BvhPacket b, inout uint spent) {
+    bvh_packet_start(a);
+    bvh_packet_start(b);
+    for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
+        for (; spent < BVH_BUDGET; ++spent) {
+            if (bvh_wants_node(a.walk)) bvh_packet_node_step(a, false);
+            if (bvh_wants_node(b.walk)) bvh_packet_node_step(b, false);
+            if (!bvh_wants_node(a.walk) && !bvh_wants_node(b.walk)) break;
+        }
+        if (bvh_has_leaves(a.walk) || bvh_has_leaves(b.walk)) {
+            for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
+                if (bvh_has_leaves(a.walk)) bvh_packet_triangle_step(ray_a, a, true);
+                if (bvh_has_leaves(b.walk)) bvh_packet_triangle_step(ray_b, b, true);
+                if (!bvh_has_leaves(a.walk) && !bvh_has_leaves(b.walk)) break;
+            }
+        }
+        bvh_packet_stop_if_done(a);
+        bvh_packet_stop_if_done(b);
+        if (!bvh_going(a.walk) && !bvh_going(b.walk)) break;
+    }
+}
+
+// A packet of shadow rays, which may go into several octants; the order is the first ray's.
+BvhPacket bvh_shadow_packet(BvhRay ray, bool exists) {
+    BvhPacket packet;
+    packet.walk = bvh_begin(ray);
+    box_set_key(packet.walk.box, subgroupShuffle(packet.walk.box.key, 0u));
+    packet.walk.hit.t = exists ? packet.walk.hit.t : -1.0;
+    return packet;
+}
+
+// Traces rays 0 to count - 1 to any hit; returns how many this thread could not finish.
+uint bvh_trace_pairs(uint count) {
+    uint spent = 0u;
+    uint unfinished = 0u;
+    for (uint first = 0u; first < count; first += 2u * WORKGROUP_SIZE) {
+        uint i = first + gl_SubgroupInvocationID;
+        uint j = i + WORKGROUP_SIZE;
+        BvhRay ray_a = bvh_ray_of(min(i, count - 1u));
+        BvhRay ray_b = bvh_ray_of(min(j, count - 1u));
+        BvhPacket a = bvh_shadow_packet(ray_a, i < count);
+        BvhPacket b = bvh_shadow_packet(ray_b, j < count);
+        bvh_trace_pair(ray_a, ray_b, a, b, spent);
+        unfinished += bvh_going(a.walk) && i < count ? 1u : 0u;
+        unfinished += bvh_going(b.walk) && j < count ? 1u : 0u;
+        if (i < count) bvh_found(i, a.walk.hit, true);
+        if (j < count) bvh_found(j, b.walk.hit, true);
+        if (first + 2u * WORKGROUP_SIZE >= count) break;
     }
     return unfinished;
 }
