@@ -155,4 +155,9 @@ std::uint32_t stack_registers(const SceneBvh& bvh) {
     return rounded <= shared::BVH_REGISTERS ? rounded : 0;
 }
 
+bool suits_shadow_packets(const SceneBvh& bvh) {
+    constexpr std::size_t FEW_TRIANGLES = 2000;
+    return bvh.order.size() <= FEW_TRIANGLES;
+}
+
 } // namespace ajar::bvh

@@ -69,6 +69,7 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     bvh_seconds_ = host.geometry.bvh.stats.seconds;
     if (host.geometry.instances.size() > 1) features_ |= FEATURE_INSTANCES;
     stack_registers_ = bvh::stack_registers(host.geometry.bvh);
+    suits_shadow_packets_ = bvh::suits_shadow_packets(host.geometry.bvh);
     if (host.geometry.has_alpha) features_ |= FEATURE_ALPHA;
     if (geometry_options.extended_surfaces) features_ |= FEATURE_EXTENDED_SURFACE;
     frame_.root = host.geometry.bvh.root;

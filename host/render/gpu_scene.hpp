@@ -27,6 +27,7 @@ class GpuScene {
     // FEATURE_* bits of everything in the scene.
     std::uint32_t features() const { return features_; }
     std::uint32_t stack_registers() const { return stack_registers_; }
+    bool suits_shadow_packets() const { return suits_shadow_packets_; }
     // 1: tables are read through texel buffers; 0: one does not fit the device's, so all go through pointers.
     std::uint32_t texel_buffers() const { return texel_buffers_; }
     void bind(gpu::Bindings& bindings) const;
@@ -48,6 +49,7 @@ class GpuScene {
     shared::FrameRecord frame_{};
     std::uint32_t features_ = 0;
     std::uint32_t stack_registers_ = 0;
+    bool suits_shadow_packets_ = false;
     std::uint32_t texel_buffers_ = 1;
     std::uint64_t triangle_count_ = 0;
     double bvh_seconds_ = 0;

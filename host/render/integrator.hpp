@@ -20,6 +20,7 @@ struct IntegratorContext {
     const RenderSettings& settings;
     gpu::Specialization
         specialization; // workgroup and segment size, tables, features, strategy, light sampler
+    bool shadow_packets; // shadow rays of camera rays' hits are better traced together
 
     // The same with SPEC_OPTION set.
     gpu::Specialization with_option(std::uint32_t option) const;

@@ -20,14 +20,16 @@ class PathIntegrator : public Integrator {
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
           shade_(context.device, "shade", context.specialization),
-          connect_(context.device, "connect", context.specialization) {}
+          connect_camera_(context.device, "connect", context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
+          connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {}
 
     void add_steps(Steps& steps) const override {
         for (std::uint32_t bounce = 0; bounce <= last_bounce_; ++bounce) {
             steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
             if (bounce == 0) steps.add_aovs();
             steps.add(shade_, bounce);
-            if (connects_ && bounce < last_bounce_) steps.add(connect_, bounce);
+            if (connects_ && bounce < last_bounce_)
+                steps.add(bounce == 0 ? connect_camera_ : connect_bounce_, bounce);
         }
     }
 
@@ -37,7 +39,8 @@ class PathIntegrator : public Integrator {
     gpu::Kernel<ExtendArgs> extend_camera_;
     gpu::Kernel<ExtendArgs> extend_bounce_;
     gpu::Kernel<ShadeArgs> shade_;
-    gpu::Kernel<ConnectArgs> connect_;
+    gpu::Kernel<ConnectArgs> connect_camera_;
+    gpu::Kernel<ConnectArgs> connect_bounce_;
 };
 
 class NaiveIntegrator : public Integrator {

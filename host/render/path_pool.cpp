@@ -23,10 +23,11 @@ std::uint32_t default_segment(const gpu::Device& device) {
     return device.limits().is_cpu ? 512 : std::max(device.workgroup_size(), 64u);
 }
 
-// On a CPU, what stays in a core's cache between the kernels of a bounce: 144 bytes a path.
+// On a CPU, so many that threads rarely wait for each other at the end of a kernel: two give 1.9 times the
+// rate of one, 1.6 times with a quarter of it. It costs nothing that 144 bytes a path leave the caches.
 std::uint32_t default_pool(const gpu::Device& device) {
     if (!device.limits().is_cpu) return 1u << 20;
-    return std::clamp(std::thread::hardware_concurrency(), 1u, 64u) * (1u << 14);
+    return std::clamp(std::thread::hardware_concurrency(), 1u, 64u) * (1u << 16);
 }
 
 std::uint64_t from_words(const uint (&words)[2]) { return words[0] | std::uint64_t{words[1]} << 32; }

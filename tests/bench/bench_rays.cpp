@@ -101,7 +101,10 @@ class SceneBench {
           camera_(device, {{scene.triangles}, {}},
                   {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_CAMERA}),
           bounce_(device, {{scene.triangles}, {}},
-                  {.segment_size = settings.segment_size, .extend_option = shared::EXTEND_BOUNCE}),
+                  {.segment_size = settings.segment_size,
+                   .extend_option = shared::EXTEND_BOUNCE,
+                   .connect_option = bvh::suits_shadow_packets(camera_.bvh()) ? shared::CONNECT_TOGETHER
+                                                                              : shared::CONNECT_APART}),
           embree_(camera_.triangles()) {}
 
     nlohmann::json run() {

@@ -25,7 +25,7 @@ struct RigOptions {
     std::uint32_t workgroup_size = 0; // 0: the device's
     bool texel_buffers = true;
     std::uint32_t extend_option = shared::EXTEND_BOUNCE;
-    std::uint32_t connect_option = shared::CONNECT_TOGETHER;
+    std::uint32_t connect_option = shared::CONNECT_APART;
     bool stack_in_memory = false; // else as the hierarchy asks
 };
 
