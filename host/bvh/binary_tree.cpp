@@ -11,7 +11,7 @@ namespace ajar::bvh {
 namespace {
 
 constexpr std::uint32_t BINS = 32;
-constexpr std::uint32_t FEW_ITEMS = 32; // of which every plane between two centres is tried
+constexpr std::uint32_t FEW_ITEMS = 32;          // of which every plane between two centres is tried
 constexpr std::uint32_t PARALLEL_SUBTREE = 2048; // items worth a task of their own
 constexpr std::uint32_t PARALLEL_BINNING = 1u << 16;
 constexpr std::uint32_t BINNING_GRAIN = 1u << 14;

@@ -75,12 +75,13 @@ struct SceneBvh {
 SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
                          std::span<const Placement> placements, const BuildOptions& options = {});
 
-// SPEC_STACK_REGISTERS: how many groups of nodes can wait at a time on the way through this hierarchy, rounded
-// up so that few kernels are compiled; 0 where they are better in memory.
+// SPEC_STACK_REGISTERS: how many groups of nodes can wait at a time on the way through this hierarchy,
+// rounded up so that few kernels are compiled; 0 where they are better in memory.
 std::uint32_t stack_registers(const SceneBvh& bvh);
 
 // Whether it is so small that shadow rays from neighbouring points meet mostly the same nodes, and are better
-// traced together. Measured on lavapipe: 1.1 to 1.3 times faster with up to 1,300 triangles, slower from 4,000.
+// traced together. Measured on lavapipe: 1.1 to 1.3 times faster with up to 1,300 triangles, slower from
+// 4,000.
 bool suits_shadow_packets(const SceneBvh& bvh);
 
 } // namespace ajar::bvh

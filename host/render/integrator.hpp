@@ -19,7 +19,7 @@ struct IntegratorContext {
     const gpu::Device& device;
     const RenderSettings& settings;
     gpu::Specialization
-        specialization; // workgroup and segment size, tables, features, strategy, light sampler
+        specialization;  // workgroup and segment size, tables, features, strategy, light sampler
     bool shadow_packets; // shadow rays of camera rays' hits are better traced together
 
     // The same with SPEC_OPTION set.

@@ -20,7 +20,8 @@ class PathIntegrator : public Integrator {
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
           shade_(context.device, "shade", context.specialization),
-          connect_camera_(context.device, "connect", context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
+          connect_camera_(context.device, "connect",
+                          context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
           connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {}
 
     void add_steps(Steps& steps) const override {

@@ -48,7 +48,7 @@ struct RenderOutput {
     Image
         // Layer "" (R, G, B, A), "variance", and with aovs "albedo" "normal" "position" "depth" "emission"
         image;
-               // "object_id" "material_id" "samples"
+    // "object_id" "material_id" "samples"
     RenderStats stats;
 };
 

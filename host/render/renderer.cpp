@@ -96,7 +96,8 @@ class RenderJob {
                 std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
           bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
           frame_buffer_(device, sizeof(FrameRecord), "frame"),
-          gpu_scene_(gpu_scene), context_{device, settings, specialization(), gpu_scene.suits_shadow_packets()},
+          gpu_scene_(gpu_scene), context_{device, settings, specialization(),
+                                          gpu_scene.suits_shadow_packets()},
           generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
           accumulate_(device, "accumulate", context_.specialization),
           integrator_(find_integrator(settings.integrator).make(context_)) {

@@ -1,7 +1,7 @@
 // A subgroup's rays walk the hierarchy together: the way for rays that have much in common (camera rays,
-// shadow rays to one light in a small scene). A node is fetched once, each thread decodes one of its slots, and shuffles hand
-// the boxes round; the stack lies across the threads' registers. For a workgroup that is one subgroup of at
-// least eight threads, without instances.
+// shadow rays to one light in a small scene). A node is fetched once, each thread decodes one of its slots,
+// and shuffles hand the boxes round; the stack lies across the threads' registers. For a workgroup that is
+// one subgroup of at least eight threads, without instances.
 #ifndef AJAR_BVH_PACKET_GLSL
 #define AJAR_BVH_PACKET_GLSL
 #include "bvh.glsl"
@@ -39,8 +39,8 @@ float bvh_packet_plane(uint first, uint second, uint from, uint slot) {
     return float(int((slot < 4u ? low : high) >> 8u * (slot & 3u) & 0xffu));
 }
 
-// What any of the rays meets in a node. `one_octant`: all go the same way along each axis, so that near and far
-// sides are told apart once for all of them.
+// What any of the rays meets in a node. `one_octant`: all go the same way along each axis, so that near and
+// far sides are told apart once for all of them.
 NodeHits bvh_packet_node(uint node, BoxRay ray, float limit, const bool one_octant) {
     uint slot = gl_SubgroupInvocationID & 7u;
     uvec4 mine = fetch_node(node * BVH_NODE_TEXELS + min(slot, BVH_NODE_TEXELS - 1u));
@@ -120,8 +120,10 @@ void bvh_packet_triangle_step(BvhRay ray, inout BvhPacket packet, const bool any
     uvec4 mine =
         fetch_triangle(triangle * TRIANGLE_TEXELS + min(gl_SubgroupInvocationID & 7u, TRIANGLE_TEXELS - 1u));
     uvec3 axes = packet.walk.shear.texels;
-    TriangleHit test = triangle_test(packet.walk.shear, bvh_packet_coordinates(mine, axes.x),
-                                     bvh_packet_coordinates(mine, axes.y), bvh_packet_coordinates(mine, axes.z));
+    vec3 x = bvh_packet_coordinates(mine, axes.x);
+    vec3 y = bvh_packet_coordinates(mine, axes.y);
+    vec3 z = bvh_packet_coordinates(mine, axes.z);
+    TriangleHit test = triangle_test(packet.walk.shear, x, y, z);
     bvh_accept(ray, packet.walk, triangle, subgroupShuffle(mine.w, 0u), test, any_hit);
 }
 
@@ -162,9 +164,9 @@ void bvh_trace_octant(BvhRay ray, inout BvhPacket packet, inout uint spent) {
     }
 }
 
-// Traces rays 0 to count - 1 to their nearest hits; returns how many this thread could not finish. A packet is
-// traced once for each octant that its directions are in: for camera rays that is one, but at the picture's
-// middle.
+// Traces rays 0 to count - 1 to their nearest hits; returns how many this thread could not finish. A packet
+// is traced once for each octant that its directions are in: for camera rays that is one, but at the
+// picture's middle.
 uint bvh_trace_packets(uint count) {
     uint spent = 0u;
     uint unfinished = 0u;

@@ -83,7 +83,8 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
 
 // `together`: neighbouring rays are similar.
 uint bvh_trace_all(uint count, const bool together, const bool any_hit) {
-    if (together && bvh_packets_possible()) return any_hit ? bvh_trace_pairs(count) : bvh_trace_packets(count);
+    if (together && bvh_packets_possible())
+        return any_hit ? bvh_trace_pairs(count) : bvh_trace_packets(count);
     return bvh_trace_replacing(count, any_hit);
 }
 

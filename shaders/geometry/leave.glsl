@@ -25,7 +25,8 @@ vec3 leave_error(vec3 p0, vec3 p1, vec3 p2) {
 vec3 leave_error_instanced(vec3 p0, vec3 p1, vec3 p2, uint instance, vec3 point) {
     vec3 size = leave_max(abs(p0), leave_max(abs(p1), abs(p2)));
     vec4 m[6];
-    for (uint i = 0u; i < 6u; ++i) m[i] = abs(uintBitsToFloat(fetch_instance(instance * INSTANCE_TEXELS + i)));
+    for (uint i = 0u; i < 6u; ++i)
+        m[i] = abs(uintBitsToFloat(fetch_instance(instance * INSTANCE_TEXELS + i)));
     vec4 from = vec4(abs(point), 1.0);
     size += vec3(dot(m[3], from), dot(m[4], from), dot(m[5], from));
     vec4 back = vec4(size, 1.0);

@@ -14,7 +14,8 @@ const uint SPEC_LIGHT_SAMPLER = 5;  // LIGHT_SAMPLER_*
 const uint SPEC_OPTION = 6;         // a kernel's own variant, named in its header
 // 1: paths and shadow rays are read through texel buffers (lavapipe: branch-free)
 const uint SPEC_PATH_TEXELS = 7;
-const uint SPEC_STACK_REGISTERS = 8; // groups of a traversal's stack that are in registers; 0: it is in memory
+// Groups of a traversal's stack that are in registers; 0: it is in memory
+const uint SPEC_STACK_REGISTERS = 8;
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy
 const uint FEATURE_ALPHA = 1u << 1;           // some triangles need an alpha or facing test when hit

@@ -15,12 +15,9 @@ struct Place {
     glm::vec3 offset; // in units of the scale
 };
 
-const Place PLACES[] = {{1, {0, 0, 0}},
-                        {1, {3000, -20000, 7000}},
-                        {1e-4f, {0, 0, 0}},
-                        {1e-4f, {-9000, 500, 11000}},
-                        {1e5f, {0, 0, 0}},
-                        {1e5f, {100, 20000, -300}}};
+const Place PLACES[] = {{1, {0, 0, 0}},     {1, {3000, -20000, 7000}},
+                        {1e-4f, {0, 0, 0}}, {1e-4f, {-9000, 500, 11000}},
+                        {1e5f, {0, 0, 0}},  {1e5f, {100, 20000, -300}}};
 
 // A frame whose z axis is no axis of the world, so that no coordinate is exact.
 glm::mat4 tilted(const Place& place) {
