@@ -10,6 +10,22 @@ if(NOT AJAR_GLSLANG)
   message(FATAL_ERROR "No glslangValidator found: install glslang-tools (apt-get install glslang-tools)")
 endif()
 
+# Optimised before they are embedded: lavapipe makes a pipeline of a traversal in 0.06 s instead of 0.28 s, in
+# every process again, as it caches machine code alone. A glslang built without SPIRV-Tools knows no -Os.
+if(NOT DEFINED AJAR_GLSLANG_OPTIMISES)
+  set(AJAR_PROBE ${CMAKE_BINARY_DIR}/CMakeFiles/probe.comp)
+  file(WRITE ${AJAR_PROBE} "#version 460\nvoid main() {}\n")
+  execute_process(
+    COMMAND ${AJAR_GLSLANG} -V -Os --quiet --target-env vulkan1.2 -o ${AJAR_PROBE}.spv ${AJAR_PROBE}
+    RESULT_VARIABLE AJAR_PROBE_RESULT
+    OUTPUT_QUIET ERROR_QUIET)
+  if(AJAR_PROBE_RESULT EQUAL 0)
+    set(AJAR_GLSLANG_OPTIMISES -Os CACHE INTERNAL "Flags that make glslang optimise")
+  else()
+    set(AJAR_GLSLANG_OPTIMISES "" CACHE INTERNAL "Flags that make glslang optimise")
+  endif()
+endif()
+
 # Compiles `file` into the words `output`; further arguments are compiler flags.
 function(ajar_compile_kernel file output)
   set(flags ${ARGN})
@@ -20,7 +36,8 @@ function(ajar_compile_kernel file output)
   cmake_path(GET output FILENAME shown)
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${AJAR_GLSLANG} -V -x --quiet --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders ${flags}
+    COMMAND ${AJAR_GLSLANG} -V -x ${AJAR_GLSLANG_OPTIMISES} --quiet --target-env vulkan1.2
+            -I${PROJECT_SOURCE_DIR}/shaders ${flags}
             --depfile ${output}.d -o ${output} ${file}
     DEPENDS ${file}
     DEPFILE ${output}.d
