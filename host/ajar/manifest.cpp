@@ -23,14 +23,14 @@ std::string filter_name(PixelFilter filter) { return pixel_filters()[static_cast
 // An index or the name given; otherwise the name, or the index, of the camera that the scene itself has
 // chosen.
 std::string camera_name(const Manifest& m) {
-    if (!m.settings.camera.empty()) return m.settings.camera;
+    if (!m.stats.settings.camera.empty()) return m.stats.settings.camera;
     if (m.scene.camera < m.scene.cameras.size() && !m.scene.cameras[m.scene.camera].name.empty())
         return m.scene.cameras[m.scene.camera].name;
     return std::to_string(m.scene.camera);
 }
 
 Json image_settings(const Manifest& m) {
-    const RenderSettings& s = m.settings;
+    const RenderSettings& s = m.stats.settings;
     return {{"width", s.width},
             {"height", s.height},
             {"first_sample", s.first_sample},
@@ -132,14 +132,15 @@ std::string manifest_json(const Manifest& m) {
     json["ajar"] = {{"version", version()}, {"compiler", __VERSION__}};
     json["scene"] = scene_json(m);
     json["settings"] = image_settings(m);
-    json["speed"] = {{"time_limit", m.settings.time_limit},
-                     {"pool_paths", m.settings.pool_paths},
-                     {"segment_paths", m.settings.segment_paths},
-                     {"slice_seconds", m.settings.slice_seconds}};
+    const RenderSettings& s = m.stats.settings;
+    json["speed"] = {{"time_limit", s.time_limit},
+                     {"pool_paths", s.pool_paths},
+                     {"segment_paths", s.segment_paths},
+                     {"slice_seconds", s.slice_seconds}};
     json["device"] = device_json(m.device);
     json["shaders"] = {{"hash", shader_hash()}, {"kernels", kernel_hashes()}};
     json["result"] = {{"samples", m.stats.samples},
-                      {"samples_asked", m.settings.samples},
+                      {"samples_asked", m.stats.settings.samples},
                       {"interrupted", m.stats.interrupted},
                       {"out_of_time", m.stats.out_of_time},
                       {"invalid_samples", m.stats.invalid_samples},

@@ -16,8 +16,7 @@ struct Manifest {
     const std::string& scene_hash;
     const Scene& scene;
     const gpu::Device& device;
-    const RenderSettings& settings;
-    const RenderStats& stats;
+    const RenderStats& stats; // with the settings as used
 };
 
 // Settings that decide the image, hashes of scene and shaders, version, device and driver. No clock, no path

@@ -23,8 +23,7 @@ Session::~Session() = default;
 
 RenderResult Session::render(const RenderSettings& settings, const ProgressSink& progress) {
     RenderOutput output = impl_->renderer.render(settings, progress);
-    const Manifest manifest{impl_->scene_name, impl_->scene_hash, impl_->scene,
-                            impl_->device,     settings,          output.stats};
+    const Manifest manifest{impl_->scene_name, impl_->scene_hash, impl_->scene, impl_->device, output.stats};
     RenderResult result;
     result.image = std::move(output.image);
     for (auto& entry : reproduction_metadata(manifest)) result.image.metadata.push_back(std::move(entry));

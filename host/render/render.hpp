@@ -23,6 +23,7 @@ std::span<const Choice> light_samplers();
 std::span<const Choice> pixel_filters();
 
 struct RenderStats {
+    RenderSettings settings;   // as used: what was left to a default has its value
     std::uint32_t samples = 0; // per pixel, done
     bool interrupted = false;  // the progress callback said stop
     bool out_of_time = false;
@@ -44,11 +45,10 @@ struct RenderStats {
     gpu::Profile profile; // device time per kernel
 };
 
+// The image has layers "" (R, G, B, A) and "variance"; with aovs also "albedo" "normal" "position" "depth"
+// "emission" "object_id" "material_id" "samples".
 struct RenderOutput {
-    Image
-        // Layer "" (R, G, B, A), "variance", and with aovs "albedo" "normal" "position" "depth" "emission"
-        image;
-    // "object_id" "material_id" "samples"
+    Image image;
     RenderStats stats;
 };
 

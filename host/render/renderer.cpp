@@ -35,9 +35,12 @@ double seconds_since(Clock::time_point start) {
 
 constexpr std::uint32_t MAX_SAMPLES_PER_PASS = 64; // a segment holds whole pixels: no more than its 64 paths
 
-float filter_radius(const RenderSettings& settings) {
-    if (settings.filter_radius > 0) return settings.filter_radius;
-    return settings.filter == PixelFilter::box ? 0.5f : 1.5f;
+// The settings with every default replaced by what it stands for; the pool's are for the pool to say.
+RenderSettings resolved(RenderSettings settings, const GpuScene& scene) {
+    if (!(settings.filter_radius > 0))
+        settings.filter_radius = settings.filter == PixelFilter::box ? 0.5f : 1.5f;
+    if (!(settings.ao_distance > 0)) settings.ao_distance = 0.2f * scene.frame().scene_radius;
+    return settings;
 }
 
 void check(const RenderSettings& s) {
@@ -90,17 +93,19 @@ class RenderJob {
   public:
     RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
               const RenderSettings& settings)
-        : device_(device), settings_(settings), camera_(choose_camera(scene, settings)),
+        : device_(device), settings_(resolved(settings, gpu_scene)), camera_(choose_camera(scene, settings)),
           film_(device, settings.width, settings.height, settings.aovs),
           pool_(device, settings,
                 std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
           bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
           frame_buffer_(device, sizeof(FrameRecord), "frame"),
-          gpu_scene_(gpu_scene), context_{device, settings, specialization(),
+          gpu_scene_(gpu_scene), context_{device, settings_, specialization(),
                                           gpu_scene.suits_shadow_packets()},
           generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
           accumulate_(device, "accumulate", context_.specialization),
           integrator_(find_integrator(settings.integrator).make(context_)) {
+        settings_.pool_paths = pool_.paths();
+        settings_.segment_paths = pool_.segment_paths();
         if (settings.aovs) aov_.emplace(device, "aov", context_.specialization);
         add_steps();
         pool_.bind(bindings_);
@@ -124,7 +129,7 @@ class RenderJob {
     }
 
     const gpu::Device& device_;
-    const RenderSettings& settings_;
+    RenderSettings settings_; // nothing in it is left to a default
     Camera camera_;
     Film film_;
     PathPool pool_;
@@ -176,8 +181,8 @@ void RenderJob::write_frame() {
     frame.seed = settings_.seed;
     frame.max_bounces = settings_.max_bounces;
     frame.rr_depth = settings_.rr_depth;
-    frame.filter_radius = filter_radius(settings_);
-    frame.ao_distance = settings_.ao_distance > 0 ? settings_.ao_distance : 0.2f * frame.scene_radius;
+    frame.filter_radius = settings_.filter_radius;
+    frame.ao_distance = settings_.ao_distance;
     frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
 }
 
@@ -239,6 +244,7 @@ RenderOutput RenderJob::run(const ProgressSink& progress) {
 void RenderJob::fill_stats(RenderStats& stats) const {
     const Diagnostics diagnostics = diagnostics_.read<Diagnostics>(0, 1).front();
     const PoolTotals totals = pool_.totals();
+    stats.settings = settings_;
     stats.bvh_seconds = gpu_scene_.bvh_seconds();
     stats.triangles = gpu_scene_.triangle_count();
     stats.lights = gpu_scene_.frame().light_count;

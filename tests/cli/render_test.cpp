@@ -137,6 +137,43 @@ TEST(Render, ReportTellsWhatTheImageWasMadeOf) {
     EXPECT_NEAR(share, 1, 1e-9);
 }
 
+TEST(Render, ReportTellsWhatDefaultsStandFor) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.json";
+    const auto report = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = tiny({"--report", file.string()});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Result result = run_ajar(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return Json::parse(read_text(file));
+    };
+    const Json usual = report({});
+    EXPECT_EQ(usual["settings"]["filter_radius"], 0.5);
+    EXPECT_GT(usual["settings"]["ao_distance"], 0);
+    const unsigned segment = usual["speed"]["segment_paths"];
+    const unsigned pool = usual["speed"]["pool_paths"];
+    ASSERT_GT(segment, 0u);
+    EXPECT_GE(pool, 24u * 16u) << "the picture fits into the least pool";
+    EXPECT_EQ(pool % segment, 0u) << "whole segments";
+
+    EXPECT_EQ(report({"--filter", "gaussian"})["settings"]["filter_radius"], 1.5);
+    const Json asked =
+        report({"--filter-radius", "0.75", "--ao-distance", "2", "--pool", "100", "--segment", "64"});
+    EXPECT_EQ(asked["settings"]["filter_radius"], 0.75);
+    EXPECT_EQ(asked["settings"]["ao_distance"], 2);
+    EXPECT_EQ(asked["speed"]["segment_paths"], 64);
+    EXPECT_EQ(asked["speed"]["pool_paths"], 128) << "whole segments";
+}
+
+TEST(Render, ADefaultThatIsSpelledOutGivesTheSameFile) {
+    const TemporaryFolder folder;
+    const fs::path plain = folder / "a.exr", spelled = folder / "b.exr";
+    ASSERT_EQ(run_ajar(tiny({"-o", plain.string()})).exit_code, 0);
+    ASSERT_EQ(run_ajar(tiny({"-o", spelled.string(), "--filter", "box", "--filter-radius", "0.5"})).exit_code,
+              0);
+    EXPECT_TRUE(read_text(plain) == read_text(spelled));
+}
+
 TEST(Render, ProgressForMachinesIsAnObjectALine) {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.png").string();
