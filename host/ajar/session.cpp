@@ -35,6 +35,11 @@ RenderResult Session::render(const RenderSettings& settings, const ProgressSink&
     result.render_seconds = output.stats.render_seconds;
     result.rays = output.stats.extension_rays + output.stats.shadow_rays;
     result.invalid_samples = output.stats.invalid_samples;
+    result.first_invalid[0] = output.stats.invalid_pixel & 0xffff;
+    result.first_invalid[1] = output.stats.invalid_pixel >> 16;
+    result.first_invalid[2] = output.stats.invalid_sample;
+    result.saturated_samples = output.stats.saturated_samples;
+    result.exhausted_loops = output.stats.exhausted_loops;
     return result;
 }
 

@@ -23,8 +23,12 @@ struct RenderResult {
     bool out_of_time = false;   // settings.time_limit was reached
     double prepare_seconds = 0; // building the hierarchy and uploading
     double render_seconds = 0;
-    std::uint64_t rays = 0;            // traced, shadow rays included
-    std::uint64_t invalid_samples = 0; // NaN, infinite or negative: dropped
+    std::uint64_t rays = 0; // traced, shadow rays included
+    // What should not happen; 0 in a good render.
+    std::uint64_t invalid_samples = 0;   // NaN, infinite or negative: counted as black
+    std::uint32_t first_invalid[3] = {}; // pixel's x and y, and the sample, of the first that was met
+    std::uint64_t saturated_samples = 0; // brighter than 2^24: cut there
+    std::uint64_t exhausted_loops = 0;   // rays whose search for a hit was given up
     // A JSON document: every setting, the hashes of scene and shaders, device, driver, versions, time per
     // kernel, rays.
     std::string manifest;

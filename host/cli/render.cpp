@@ -6,6 +6,7 @@
 #include "cli/interrupts.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
+#include "shaders/shared/film.glsl.h"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -59,11 +60,30 @@ std::string file_list(const RenderOptions& o) {
     return files;
 }
 
+std::string samples_text(std::uint64_t count) {
+    return count == 1 ? "1 sample" : fmt::format("{} samples", count);
+}
+
+// A picture may look right and still lack something.
+void warn_of_losses(const RenderResult& result, ProgressDisplay& display) {
+    if (result.invalid_samples > 0)
+        display.warning(fmt::format(
+            "{} of NaN, infinite or negative radiance counted as black (the first: pixel {}, {}, sample {})",
+            samples_text(result.invalid_samples), result.first_invalid[0], result.first_invalid[1],
+            result.first_invalid[2]));
+    if (result.saturated_samples > 0)
+        display.warning(fmt::format("{} brighter than {:.0f} cut there, so the picture is too dark",
+                                    samples_text(result.saturated_samples), shared::FILM_MAX_SAMPLE));
+    if (result.exhausted_loops > 0)
+        display.warning(
+            fmt::format("{} rays were given up before all was searched that they might hit (a defect: please "
+                        "report it with the scene)",
+                        result.exhausted_loops));
+}
+
 // Says what is not as asked for, and gives the exit code.
 int conclude(const RenderOptions& o, const RenderResult& result, ProgressDisplay& display) {
-    if (result.invalid_samples > 0)
-        display.warning(fmt::format("{} samples were NaN, infinite or negative and were dropped",
-                                    result.invalid_samples));
+    warn_of_losses(result, display);
     if (result.interrupted)
         display.notice(fmt::format("interrupted: {} of {} samples done, written to {}", result.samples,
                                    o.settings.samples, file_list(o)));

@@ -1,5 +1,6 @@
 // ajar render: what it writes, what it says, and that a failure leaves the old files alone.
 #include "cli/run_ajar.hpp"
+#include "cli/small_renders.hpp"
 #include "image/read.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -14,14 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-// A tiny Cornell box; further arguments win over these.
-std::vector<std::string> tiny(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"render", scene_path("cornell-box"), "--size", "24x16", "--samples",
-                                       "2"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-}
 
 // One line "ajar: error: ...", exit code 1, and no file of ours left in the folder.
 void expect_world_error(const std::vector<std::string>& arguments, const std::string& part) {
@@ -95,85 +88,6 @@ TEST(Render, GivesTheSameBytesWhateverOnlyChangesTheSpeed) {
     EXPECT_FALSE(once == bytes({"--seed", "1"}));
 }
 
-TEST(Render, MetadataReproducesTheImage) {
-    const TemporaryFolder folder;
-    const fs::path file = folder / "a.exr";
-    ASSERT_EQ(run_ajar(tiny({"-o", file.string(), "--seed", "7"})).exit_code, 0);
-    std::map<std::string, std::string> metadata;
-    for (const auto& [name, value] : read_image(file).metadata) metadata[name] = value;
-    const Json settings = Json::parse(metadata["ajar:settings"]);
-    EXPECT_EQ(settings["seed"], 7);
-    EXPECT_EQ(settings["samples"], 2);
-    EXPECT_EQ(settings["width"], 24);
-    EXPECT_EQ(metadata["ajar:scene_hash"].size(), 32u);
-    EXPECT_EQ(metadata["ajar:shader_hash"].size(), 32u);
-    EXPECT_EQ(metadata["ajar:version"], AJAR_VERSION);
-    EXPECT_NE(metadata["ajar:device"], "");
-}
-
-TEST(Render, ReportTellsWhatTheImageWasMadeOf) {
-    const TemporaryFolder folder;
-    const fs::path file = folder / "a.json";
-    const Result result =
-        run_ajar(tiny({"--report", file.string(), "--max-bounces", "3", "--filter", "gaussian"}));
-    ASSERT_EQ(result.exit_code, 0) << result.err;
-    const Json report = Json::parse(read_text(file));
-    EXPECT_EQ(report["ajar"]["version"], AJAR_VERSION);
-    EXPECT_EQ(report["scene"]["file"], "cornell-box.gltf");
-    EXPECT_EQ(report["scene"]["hash"].get<std::string>().size(), 32u);
-    EXPECT_EQ(report["settings"]["max_bounces"], 3);
-    EXPECT_EQ(report["settings"]["filter"], "gaussian");
-    EXPECT_EQ(report["settings"]["integrator"], "path");
-    EXPECT_NE(report["device"]["name"], "");
-    EXPECT_NE(report["device"]["driver"], "");
-    EXPECT_GE(report["shaders"]["kernels"].size(), 5u);
-    EXPECT_EQ(report["result"]["samples"], 2);
-    EXPECT_EQ(report["result"]["interrupted"], false);
-    EXPECT_EQ(report["rays"]["camera"], 24 * 16 * 2);
-    EXPECT_GE(report["rays"]["extension"], report["rays"]["camera"]);
-    EXPECT_GT(report["rays"]["shadow"], 0);
-    double share = 0;
-    for (const auto& kernel : report["time"]["kernels"]) share += kernel["share"].get<double>();
-    EXPECT_NEAR(share, 1, 1e-9);
-}
-
-TEST(Render, ReportTellsWhatDefaultsStandFor) {
-    const TemporaryFolder folder;
-    const fs::path file = folder / "a.json";
-    const auto report = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = tiny({"--report", file.string()});
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Result result = run_ajar(arguments);
-        EXPECT_EQ(result.exit_code, 0) << result.err;
-        return Json::parse(read_text(file));
-    };
-    const Json usual = report({});
-    EXPECT_EQ(usual["settings"]["filter_radius"], 0.5);
-    EXPECT_GT(usual["settings"]["ao_distance"], 0);
-    const unsigned segment = usual["speed"]["segment_paths"];
-    const unsigned pool = usual["speed"]["pool_paths"];
-    ASSERT_GT(segment, 0u);
-    EXPECT_GE(pool, 24u * 16u) << "the picture fits into the least pool";
-    EXPECT_EQ(pool % segment, 0u) << "whole segments";
-
-    EXPECT_EQ(report({"--filter", "gaussian"})["settings"]["filter_radius"], 1.5);
-    const Json asked =
-        report({"--filter-radius", "0.75", "--ao-distance", "2", "--pool", "100", "--segment", "64"});
-    EXPECT_EQ(asked["settings"]["filter_radius"], 0.75);
-    EXPECT_EQ(asked["settings"]["ao_distance"], 2);
-    EXPECT_EQ(asked["speed"]["segment_paths"], 64);
-    EXPECT_EQ(asked["speed"]["pool_paths"], 128) << "whole segments";
-}
-
-TEST(Render, ADefaultThatIsSpelledOutGivesTheSameFile) {
-    const TemporaryFolder folder;
-    const fs::path plain = folder / "a.exr", spelled = folder / "b.exr";
-    ASSERT_EQ(run_ajar(tiny({"-o", plain.string()})).exit_code, 0);
-    ASSERT_EQ(run_ajar(tiny({"-o", spelled.string(), "--filter", "box", "--filter-radius", "0.5"})).exit_code,
-              0);
-    EXPECT_TRUE(read_text(plain) == read_text(spelled));
-}
-
 TEST(Render, ProgressForMachinesIsAnObjectALine) {
     const TemporaryFolder folder;
     const std::string file = (folder / "a.png").string();
@@ -215,12 +129,7 @@ TEST(Render, ATerminalSeesRateAndRemainingTimeInALineThatIsRewritten) {
 TEST(Render, WithoutAnyLightTakesADefaultEnvironmentAndSaysSo) {
     const TemporaryFolder folder;
     const fs::path scene = folder / "triangle.gltf";
-    write_text(scene, R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
-        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
-        "min":[0,0,0],"max":[1,1,0]}],
-        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":
-        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+    write_triangle(scene);
     const fs::path image = folder / "a.exr";
     const std::vector<std::string> arguments{"render",       scene.string(), "-o",
                                              image.string(), "--size",       "16x16"};

@@ -1,0 +1,42 @@
+#include "cli/small_renders.hpp"
+
+#include "cli/run_ajar.hpp"
+
+namespace ajar::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// With more members of the primitive and of the document.
+void write_triangle(const fs::path& file, const std::string& primitive_members, const std::string& members) {
+    write_text(file, R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0})" +
+                         primitive_members + R"(}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+        "min":[0,0,0],"max":[1,1,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])" +
+                         members + "}");
+}
+
+} // namespace
+
+std::vector<std::string> tiny(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", scene_path("cornell-box"), "--size", "24x16", "--samples",
+                                       "2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+void write_triangle(const fs::path& file) { write_triangle(file, "", ""); }
+
+void write_glowing_triangle(const fs::path& file, const std::string& strength) {
+    write_triangle(file, R"(,"material":0)",
+                   R"(,"extensionsUsed":["KHR_materials_emissive_strength"],
+        "materials":[{"doubleSided":true,"emissiveFactor":[1,1,1],"extensions":{
+        "KHR_materials_emissive_strength":{"emissiveStrength":)" +
+                       strength + "}}}]");
+}
+
+} // namespace ajar::test

@@ -1,0 +1,18 @@
+// Scenes and command lines of renders that take a moment.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ajar::test {
+
+// A tiny Cornell box; further arguments win over these.
+std::vector<std::string> tiny(std::vector<std::string> more);
+
+// A triangle in view, without material or light.
+void write_triangle(const std::filesystem::path& file);
+// The same, emitting; `strength` as JSON writes a number.
+void write_glowing_triangle(const std::filesystem::path& file, const std::string& strength);
+
+} // namespace ajar::test
