@@ -41,6 +41,7 @@ Json image_settings(const Manifest& m) {
             {"integrator", s.integrator},
             {"strategy", s.strategy},
             {"light_sampler", s.light_sampler},
+            {"naive_sampling", s.naive_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
             {"filter_radius", s.filter_radius},

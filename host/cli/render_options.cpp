@@ -160,6 +160,7 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--integrator", s.integrator, "What is computed", integrators());
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
     choice("--light-sampler", s.light_sampler, "How a light is picked", light_samplers());
+    choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
     app.add_option("--ao-distance", s.ao_distance,
                    "Reach of integrator ao (default: a tenth of the scene's diagonal)")
         ->type_name("METRES")

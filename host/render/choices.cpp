@@ -1,8 +1,9 @@
-// The tables behind --integrator, --strategy, --light-sampler and --filter.
+// The tables behind --integrator, --strategy, --light-sampler, --naive-sampling and --filter.
 #include "render/choices.hpp"
 
 #include "base/error.hpp"
 #include "render/integrator.hpp"
+#include "shaders/kernels/naive.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
@@ -39,6 +40,11 @@ constexpr ConstantRow LIGHT_SAMPLERS[] = {
     {{"uniform", "every light as often as any other"}, shared::LIGHT_SAMPLER_UNIFORM},
 };
 
+constexpr ConstantRow NAIVE_SAMPLINGS[] = {
+    {{"bsdf", "as the surface scatters"}, shared::NAIVE_BSDF},
+    {{"cosine", "by the cosine around the normal: mirrors stay black"}, shared::NAIVE_COSINE},
+};
+
 constexpr ConstantRow FILTERS[] = {
     {{"box", "the pixel's square (radius 0.5)"}, shared::FILTER_BOX},
     {{"gaussian", "a bell cut at its radius (1.5)"}, shared::FILTER_GAUSSIAN},
@@ -54,6 +60,7 @@ template <class Row, std::size_t N> constexpr std::array<Choice, N> choices_of(c
 constexpr auto INTEGRATOR_CHOICES = choices_of(INTEGRATORS);
 constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
+constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
 
 template <class Row>
@@ -71,6 +78,7 @@ const Row& find(std::span<const Row> rows, std::string_view what, std::string_vi
 std::span<const Choice> integrators() { return INTEGRATOR_CHOICES; }
 std::span<const Choice> strategies() { return STRATEGY_CHOICES; }
 std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
+std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
 std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
 
 const IntegratorRow& find_integrator(std::string_view name) {
@@ -81,6 +89,9 @@ std::uint32_t find_strategy(std::string_view name) {
 }
 std::uint32_t find_light_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(LIGHT_SAMPLERS), "light sampler", name).constant;
+}
+std::uint32_t find_naive_sampling(std::string_view name) {
+    return find(std::span<const ConstantRow>(NAIVE_SAMPLINGS), "naive sampling", name).constant;
 }
 
 } // namespace ajar

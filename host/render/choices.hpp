@@ -9,7 +9,8 @@ namespace ajar {
 struct IntegratorRow;
 
 const IntegratorRow& find_integrator(std::string_view name);
-std::uint32_t find_strategy(std::string_view name);      // STRATEGY_*
-std::uint32_t find_light_sampler(std::string_view name); // LIGHT_SAMPLER_*
+std::uint32_t find_strategy(std::string_view name);       // STRATEGY_*
+std::uint32_t find_light_sampler(std::string_view name);  // LIGHT_SAMPLER_*
+std::uint32_t find_naive_sampling(std::string_view name); // NAIVE_*
 
 } // namespace ajar

@@ -20,6 +20,7 @@ struct Choice {
 std::span<const Choice> integrators();
 std::span<const Choice> strategies();
 std::span<const Choice> light_samplers();
+std::span<const Choice> naive_samplings();
 std::span<const Choice> pixel_filters();
 
 struct RenderStats {

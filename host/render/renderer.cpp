@@ -49,6 +49,7 @@ void check(const RenderSettings& s) {
     if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
         throw Error("samples: first sample and count go beyond 2^32");
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
+    find_naive_sampling(s.naive_sampling); // an unknown name is an error for every integrator, as others are
 }
 
 // Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too,

@@ -19,7 +19,7 @@ struct RenderSettings {
     std::string integrator = "path";     // a row of integrators()
     std::string strategy = "mis";        // a row of strategies()
     std::string light_sampler = "power"; // a row of light_samplers()
-    std::string naive_sampling = "bsdf"; // integrator naive: "bsdf" or "cosine"
+    std::string naive_sampling = "bsdf"; // a row of naive_samplings(); integrator naive
     std::string camera;                  // name or index; empty: the scene's
     PixelFilter filter = PixelFilter::box;
     float filter_radius = 0;         // pixels; 0: the filter's own default

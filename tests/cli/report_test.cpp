@@ -45,6 +45,7 @@ TEST(Report, TellsWhatTheImageWasMadeOf) {
     EXPECT_EQ(report["settings"]["max_bounces"], 3);
     EXPECT_EQ(report["settings"]["filter"], "gaussian");
     EXPECT_EQ(report["settings"]["integrator"], "path");
+    EXPECT_EQ(report["settings"]["naive_sampling"], "bsdf");
     EXPECT_NE(report["device"]["name"], "");
     EXPECT_NE(report["device"]["driver"], "");
     EXPECT_GE(report["shaders"]["kernels"].size(), 5u);

@@ -1,5 +1,6 @@
 // Different estimators of one integral have one mean: BSDF sampling, light sampling, their combination, the
 // naive integrator, and the light samplers, on small scenes of every kind of light and surface.
+#include "base/error.hpp"
 #include "render_test.hpp"
 #include "small_scenes.hpp"
 
@@ -42,6 +43,11 @@ TEST_P(EstimatorsAgree, OnTheMean) {
     other = settings(5, 128);
     other.strategy = "light";
     expect_equal_means(reference, render(scene, other), "mis and light");
+
+    other = settings(6, 256);
+    other.integrator = "naive";
+    other.naive_sampling = "cosine";
+    expect_equal_means(reference, render(scene, other), "mis and naive by the cosine");
 }
 
 TEST_F(RenderTest, RouletteAndItsAbsenceHaveEqualMeans) {
@@ -56,6 +62,22 @@ TEST_F(RenderTest, RouletteAndItsAbsenceHaveEqualMeans) {
     settings.seed = 2;
     settings.rr_depth = 100;
     expect_equal_means(with, render(scene, settings), "with and without roulette");
+}
+
+TEST_F(RenderTest, NaiveSamplingByTheCosineFindsNoMirror) {
+    SceneBuilder builder;
+    builder.square({0, 0, 0}, {0, 1, 0}, 50, builder.material(metal({1, 1, 1}, 0)));
+    builder.constant_environment({1, 1, 1});
+    builder.perspective({0, 1, 0}, {0, 0, 0}, 0.5f);
+    const Scene scene = builder.build();
+    RenderSettings settings = small_settings();
+    settings.integrator = "naive";
+    const auto middle = [&] { return pixel(render(scene, settings), "", 16, 16); };
+    EXPECT_NEAR(middle().x, 1, 1e-4) << "by the BSDF, which a delta lobe is part of";
+    settings.naive_sampling = "cosine";
+    EXPECT_EQ(middle(), glm::dvec3(0));
+    settings.naive_sampling = "sine";
+    EXPECT_THROW(render(scene, settings), Error);
 }
 
 TEST_F(RenderTest, InstancedAndBakedScenesHaveEqualMeans) {
