@@ -6,25 +6,10 @@
 #include "scene/default_environment.hpp"
 #include "scene/scene.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace ajar {
-
-namespace {
-
-bool shines(const glm::vec3& color) { return std::max({color.x, color.y, color.z}) > 0; }
-
-bool is_used(const Scene& scene, const std::vector<bool>& wanted) {
-    const auto has_wanted = [&](const Instance& instance) {
-        const auto& materials = scene.meshes[instance.mesh].triangle_materials;
-        return std::any_of(materials.begin(), materials.end(), [&](std::uint32_t m) { return wanted[m]; });
-    };
-    return std::any_of(scene.instances.begin(), scene.instances.end(), has_wanted);
-}
-
-} // namespace
 
 struct SceneFile::Impl {
     std::string name;
@@ -67,16 +52,7 @@ void SceneFile::set_environment(float red, float green, float blue) {
 
 void SceneFile::set_default_environment() { impl_->scene.environment = default_environment(); }
 
-bool SceneFile::has_light() const {
-    const Scene& scene = impl_->scene;
-    if (scene.environment && shines(scene.environment->scale)) return true;
-    const auto lit = [](const Light& light) { return shines(light.intensity); };
-    if (std::any_of(scene.lights.begin(), scene.lights.end(), lit)) return true;
-    std::vector<bool> visible(scene.materials.size());
-    std::transform(scene.materials.begin(), scene.materials.end(), visible.begin(),
-                   [](const Material& m) { return m.unlit || shines(m.emission); });
-    return is_used(scene, visible);
-}
+bool SceneFile::has_light() const { return ajar::has_light(impl_->scene); }
 
 std::uint64_t SceneFile::triangle_count() const {
     std::uint64_t count = 0;

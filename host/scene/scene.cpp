@@ -135,7 +135,7 @@ bool has_light(const Scene& scene) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         if (!is_placed[i]) continue;
         for (const std::uint32_t material : scene.meshes[i].triangle_materials)
-            if (shines(scene.materials[material].emission)) return true;
+            if (scene.materials[material].unlit || shines(scene.materials[material].emission)) return true;
     }
     return false;
 }

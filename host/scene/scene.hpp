@@ -151,7 +151,8 @@ struct Bounds {
 // World-space box of all instances.
 Bounds scene_bounds(const Scene& scene);
 
-// Whether anything shines: a light, an environment, or an emissive material that a placed triangle has.
+// False where every pixel would be black: no light, no environment, no placed triangle that emits or is
+// unlit.
 bool has_light(const Scene& scene);
 
 // Bytes of host memory that the scene's arrays take.

@@ -119,6 +119,16 @@ TEST(FramingCamera, CopesWithAnEmptySceneAndAPoint) {
     EXPECT_TRUE(std::isfinite(framing_camera(scene, 1).to_world[3].x));
 }
 
+TEST(SceneLight, IsWhatAPlacedUnlitTriangleBrings) {
+    Scene scene = one_triangle();
+    scene.materials.emplace_back().unlit = true; // of no triangle
+    EXPECT_FALSE(has_light(scene));
+    scene.meshes[0].triangle_materials[0] = 1;
+    EXPECT_TRUE(has_light(scene));
+    scene.instances.clear();
+    EXPECT_FALSE(has_light(scene));
+}
+
 TEST(SceneLight, IsALightAnEnvironmentOrAPlacedEmitter) {
     Scene scene = one_triangle();
     EXPECT_FALSE(has_light(scene));
