@@ -27,7 +27,7 @@ std::uint32_t default_segment(const gpu::Device& device) {
 // rate of one, 1.6 times with a quarter of it. It costs nothing that 144 bytes a path leave the caches.
 std::uint32_t default_pool(const gpu::Device& device) {
     if (!device.limits().is_cpu) return 1u << 20;
-    return std::clamp(std::thread::hardware_concurrency(), 1u, 64u) * (1u << 16);
+    return std::max(std::clamp(std::thread::hardware_concurrency(), 1u, 64u) * (1u << 16), 1u << 18);
 }
 
 std::uint64_t from_words(const uint (&words)[2]) { return words[0] | std::uint64_t{words[1]} << 32; }
