@@ -1,6 +1,6 @@
 # Compiles kernels (*.comp) to SPIR-V and embeds them. Editing any included file recompiles what includes it.
 #
-#   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ...)
+#   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ... [AS_WRITTEN b ...])
 #
 # gives the target a header NAME.hpp that declares std::span<const ajar::gpu::EmbeddedKernel>
 # ajar::gpu::NAME(). Each kernel is compiled twice, the second time as "a.subgroup" with AJAR_SUBGROUP, for
@@ -12,6 +12,7 @@ endif()
 
 # Optimised before they are embedded: lavapipe makes a pipeline of a traversal in 0.06 s instead of 0.28 s, in
 # every process again, as it caches machine code alone. A glslang built without SPIRV-Tools knows no -Os.
+# Kernels named AS_WRITTEN are left alone.
 if(NOT DEFINED AJAR_GLSLANG_OPTIMISES)
   set(AJAR_PROBE ${CMAKE_BINARY_DIR}/CMakeFiles/probe.comp)
   file(WRITE ${AJAR_PROBE} "#version 460\nvoid main() {}\n")
@@ -36,7 +37,7 @@ function(ajar_compile_kernel file output)
   cmake_path(GET output FILENAME shown)
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${AJAR_GLSLANG} -V -x ${AJAR_GLSLANG_OPTIMISES} --quiet --target-env vulkan1.2
+    COMMAND ${AJAR_GLSLANG} -V -x --quiet --target-env vulkan1.2
             -I${PROJECT_SOURCE_DIR}/shaders ${flags}
             --depfile ${output}.d -o ${output} ${file}
     DEPENDS ${file}
@@ -46,7 +47,7 @@ function(ajar_compile_kernel file output)
 endfunction()
 
 function(ajar_embed_kernels)
-  cmake_parse_arguments(K "" "TARGET;FUNCTION" "FILES" ${ARGN})
+  cmake_parse_arguments(K "" "TARGET;FUNCTION" "FILES;AS_WRITTEN" ${ARGN})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/kernels/${K_TARGET})
   file(MAKE_DIRECTORY ${folder})
   set(arrays "")
@@ -55,13 +56,17 @@ function(ajar_embed_kernels)
   foreach(file IN LISTS K_FILES)
     cmake_path(ABSOLUTE_PATH file NORMALIZE)
     cmake_path(GET file STEM name)
+    set(flags ${AJAR_GLSLANG_OPTIMISES})
+    if(name IN_LIST K_AS_WRITTEN)
+      set(flags "")
+    endif()
     foreach(variant "" ".subgroup")
       set(output ${folder}/${name}${variant}.inc)
       string(MAKE_C_IDENTIFIER "words_${name}${variant}" symbol)
       if(variant STREQUAL "")
-        ajar_compile_kernel(${file} ${output})
+        ajar_compile_kernel(${file} ${output} ${flags})
       else()
-        ajar_compile_kernel(${file} ${output} -DAJAR_SUBGROUP=1)
+        ajar_compile_kernel(${file} ${output} ${flags} -DAJAR_SUBGROUP=1)
       endif()
       list(APPEND words ${output})
       string(APPEND arrays "const std::uint32_t ${symbol}[] = {\n#include \"${name}${variant}.inc\"\n};\n")

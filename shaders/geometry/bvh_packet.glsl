@@ -8,7 +8,6 @@
 
 // Groups that wait: the i-th is in thread i % 8, register i / 8.
 #define BVH_PACKET_REGISTERS ((BVH_STACK + 7u) / 8u)
-const uint BVH_PACKET_SHALLOW = (BVH_REGISTERS + 7u) / 8u;
 
 struct BvhPacket {
     BvhWalk walk; // each thread's own ray and hit; cursor, depth and the box's key are the same in all
@@ -16,7 +15,7 @@ struct BvhPacket {
 };
 
 bool bvh_packets_possible() { return WORKGROUP_SIZE >= 8u && !has_feature(FEATURE_INSTANCES); }
-uint bvh_packet_registers() { return STACK_REGISTERS > 0u ? BVH_PACKET_SHALLOW : BVH_PACKET_REGISTERS; }
+uint bvh_packet_registers() { return STACK_REGISTERS > 0u ? (STACK_REGISTERS + 7u) / 8u : BVH_PACKET_REGISTERS; }
 
 uint bvh_or(uint value) {
     if (WORKGROUP_SIZE > 1u) value |= subgroupShuffleXor(value, 1u);
