@@ -15,7 +15,9 @@ struct BvhPacket {
 };
 
 bool bvh_packets_possible() { return WORKGROUP_SIZE >= 8u && !has_feature(FEATURE_INSTANCES); }
-uint bvh_packet_registers() { return STACK_REGISTERS > 0u ? (STACK_REGISTERS + 7u) / 8u : BVH_PACKET_REGISTERS; }
+uint bvh_packet_registers() {
+    return STACK_REGISTERS > 0u ? (STACK_REGISTERS + 7u) / 8u : BVH_PACKET_REGISTERS;
+}
 
 uint bvh_or(uint value) {
     if (WORKGROUP_SIZE > 1u) value |= subgroupShuffleXor(value, 1u);
