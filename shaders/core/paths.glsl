@@ -75,7 +75,7 @@ vec3 radiance_load(uint home) {
 
 void radiance_store(uint home, vec3 value) { radiance[home].xyz = value; }
 
-// At most once for a path in a dispatch: what was added there before need not be seen.
+// Anything but zero at most once for a path in a dispatch: what was added there before need not be seen.
 void radiance_add(uint home, vec3 value) { radiance_store(home, radiance_load(home) + value); }
 
 #endif

@@ -37,10 +37,7 @@ void main() {
         path.pdf = 0.0;
         path.beta = vec3(1.0);
         path.leaves = NO_TRIANGLE;
-        path.triangle = NO_TRIANGLE;
         path.instance = 0u;
-        path.u = 0.0;
-        path.v = 0.0;
         path_store(home, path);
         radiance_store(home, vec3(0.0));
     }

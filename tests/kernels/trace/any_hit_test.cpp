@@ -12,21 +12,7 @@ namespace {
 class Connect : public GpuTest {};
 
 std::vector<RigOptions> all_variants() {
-    std::vector<RigOptions> variants;
-    for (const std::uint32_t option : {shared::CONNECT_TOGETHER, shared::CONNECT_APART}) {
-        for (const bool stack_in_memory : {false, true}) {
-            for (const std::uint32_t workgroup : {0u, 16u}) {
-                RigOptions variant;
-                variant.connect_option = option;
-                variant.stack_in_memory = stack_in_memory;
-                variant.workgroup_size = workgroup;
-                variants.push_back(variant);
-            }
-        }
-    }
-    variants.push_back({.segment_size = 64, .texel_buffers = false});
-    variants.push_back({.segment_size = 1024, .workgroup_size = 64});
-    return variants;
+    return trace_variants(&RigOptions::connect_option, {shared::CONNECT_TOGETHER, shared::CONNECT_APART});
 }
 
 // The same rays, cut at random: some before, some behind the first triangle, and some just at it.

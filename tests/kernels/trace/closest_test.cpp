@@ -11,24 +11,8 @@ namespace {
 
 class Extend : public GpuTest {};
 
-// Every way through the kernel: tables as texels and as pointers, rays replaced (8 threads) and seen through
-// (16), packets, stacks in registers and in memory, segments of several sizes.
 std::vector<RigOptions> all_variants() {
-    std::vector<RigOptions> variants;
-    for (const std::uint32_t option : {shared::EXTEND_CAMERA, shared::EXTEND_BOUNCE}) {
-        for (const bool stack_in_memory : {false, true}) {
-            for (const std::uint32_t workgroup : {0u, 16u}) {
-                RigOptions variant;
-                variant.extend_option = option;
-                variant.stack_in_memory = stack_in_memory;
-                variant.workgroup_size = workgroup;
-                variants.push_back(variant);
-            }
-        }
-    }
-    variants.push_back({.segment_size = 64, .texel_buffers = false});
-    variants.push_back({.segment_size = 1024, .workgroup_size = 64});
-    return variants;
+    return trace_variants(&RigOptions::extend_option, {shared::EXTEND_CAMERA, shared::EXTEND_BOUNCE});
 }
 
 void expect_reference(TraceRig& rig, const std::vector<shared::PathState>& rays,

@@ -58,6 +58,25 @@ InstanceRecord instance_record(const bvh::Placement& placement, std::uint32_t ro
     return record;
 }
 
+std::vector<RigOptions> trace_variants(std::uint32_t RigOptions::*option,
+                                       std::initializer_list<std::uint32_t> values) {
+    std::vector<RigOptions> variants;
+    for (const std::uint32_t value : values) {
+        for (const bool stack_in_memory : {false, true}) {
+            for (const std::uint32_t workgroup : {0u, 16u}) {
+                RigOptions variant;
+                variant.*option = value;
+                variant.stack_in_memory = stack_in_memory;
+                variant.workgroup_size = workgroup;
+                variants.push_back(variant);
+            }
+        }
+    }
+    variants.push_back({.segment_size = 64, .texel_buffers = false});
+    variants.push_back({.segment_size = 1024, .workgroup_size = 64});
+    return variants;
+}
+
 TraceRig::TraceRig(const gpu::Device& device, const TraceScene& scene, const RigOptions& options)
     : device_(device), options_(options), bvh_(build(scene)), bindings_(device),
       extend_(device, "extend", specialization(device, bvh_, options, options.extend_option)),

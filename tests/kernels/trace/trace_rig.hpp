@@ -29,6 +29,11 @@ struct RigOptions {
     bool stack_in_memory = false; // else as the hierarchy asks
 };
 
+// Every way through a kernel: each value of its option, tables as texels and as pointers, rays replaced (8
+// threads) and seen through (16), stacks in registers and in memory, segments of several sizes.
+std::vector<RigOptions> trace_variants(std::uint32_t RigOptions::*option,
+                                       std::initializer_list<std::uint32_t> values);
+
 struct RigResult {
     std::vector<shared::PathState> paths;
     std::vector<bool> open;
