@@ -29,6 +29,13 @@ std::string camera_name(const Manifest& m) {
     return std::to_string(m.scene.camera);
 }
 
+// Settings that make the mean differ from the truth.
+Json biased_by(const RenderSettings& s) {
+    Json reasons = Json::array();
+    if (s.clamp > 0) reasons.push_back("clamp");
+    return reasons;
+}
+
 Json image_settings(const Manifest& m) {
     const RenderSettings& s = m.stats.settings;
     return {{"width", s.width},
@@ -40,7 +47,9 @@ Json image_settings(const Manifest& m) {
             {"rr_depth", s.rr_depth},
             {"integrator", s.integrator},
             {"strategy", s.strategy},
+            {"heuristic", s.heuristic},
             {"light_sampler", s.light_sampler},
+            {"light_rays", s.light_rays},
             {"naive_sampling", s.naive_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
@@ -48,6 +57,8 @@ Json image_settings(const Manifest& m) {
             {"background", {s.background[0], s.background[1], s.background[2]}},
             {"ao_distance", s.ao_distance},
             {"backfaces", s.cull_backfaces ? "cull" : "show"},
+            {"clamp", s.clamp},
+            {"biased_by", biased_by(s)},
             {"aovs", s.aovs}};
 }
 
@@ -100,6 +111,7 @@ Json time_json(const RenderStats& stats) {
                          {"share", total > 0 ? time.seconds / total : 0}};
     return {{"prepare_seconds", stats.prepare_seconds},
             {"bvh_seconds", stats.bvh_seconds},
+            {"light_tree_seconds", stats.light_tree_seconds},
             {"render_seconds", stats.render_seconds},
             {"kernels", kernels}};
 }

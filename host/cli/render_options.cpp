@@ -159,8 +159,16 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     };
     choice("--integrator", s.integrator, "What is computed", integrators());
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
+    choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
+    choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
     choice("--light-sampler", s.light_sampler, "How a light is picked", light_samplers());
     choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
+    app.add_option("--clamp", s.clamp,
+                   "No channel of a sample is above it; darkens the image, so it is named as biased "
+                   "(default: none)")
+        ->type_name("X")
+        ->check(number(0, HUGE_NUMBER))
+        ->group(group);
     app.add_option("--ao-distance", s.ao_distance,
                    "Reach of integrator ao (default: a tenth of the scene's diagonal)")
         ->type_name("METRES")

@@ -61,7 +61,7 @@ AliasTable build_alias_table(std::span<const double> weights) {
     std::vector<std::uint32_t> small;
     std::vector<std::uint32_t> large;
     for (std::uint32_t i = 0; i < slots; ++i) {
-        table.entries[i] = {1.0f, i, {0, 0}};
+        table.entries[i] = {1.0f, i, i, 0};
         if (left[i] < capacity)
             small.push_back(i);
         else if (left[i] > capacity)

@@ -1,9 +1,10 @@
-// The tables behind --integrator, --strategy, --light-sampler, --naive-sampling and --filter.
+// The tables behind the options that choose a method: --integrator, --strategy, --light-sampler and others.
 #include "render/choices.hpp"
 
 #include "base/error.hpp"
 #include "render/integrator.hpp"
 #include "shaders/kernels/naive.glsl.h"
+#include "shaders/kernels/shade.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr IntegratorRow INTEGRATORS[] = {
     {{"path", "path tracing with direct lighting: shadow rays and multiple importance sampling"},
      make_path_integrator},
+    {{"direct", "emission and light that arrives straight from luminaires: path without indirect bounces"},
+     make_path_integrator},
     {{"naive", "path tracing without shadow rays: lights are found by chance"}, make_naive_integrator},
     {{"normals", "shading normals as colours"}, make_normals_integrator},
     {{"albedo", "reflectance of what the camera sees"}, make_albedo_integrator},
@@ -30,14 +33,25 @@ struct ConstantRow {
 };
 
 constexpr ConstantRow STRATEGIES[] = {
-    {{"mis", "both, combined by multiple importance sampling (power heuristic)"}, shared::STRATEGY_MIS},
+    {{"mis", "both, combined by multiple importance sampling"}, shared::STRATEGY_MIS},
     {{"light", "shadow rays alone: mirrors still see lights directly"}, shared::STRATEGY_LIGHT},
     {{"bsdf", "BSDF sampling alone: point, spot and directional lights are not seen"}, shared::STRATEGY_BSDF},
+};
+
+constexpr ConstantRow HEURISTICS[] = {
+    {{"power", "squares of densities"}, shared::HEURISTIC_POWER},
+    {{"balance", "the densities themselves"}, shared::HEURISTIC_BALANCE},
+};
+
+constexpr ConstantRow LIGHT_RAYS[] = {
+    {{"one", "to a light that the light sampler picks"}, shared::SHADE_WHOLE},
+    {{"all", "to every light, of which there may be 256"}, shared::SHADE_LIGHT},
 };
 
 constexpr ConstantRow LIGHT_SAMPLERS[] = {
     {{"power", "in proportion to each light's power"}, shared::LIGHT_SAMPLER_POWER},
     {{"uniform", "every light as often as any other"}, shared::LIGHT_SAMPLER_UNIFORM},
+    {{"tree", "by what it may bring to the point: a hierarchy over lights"}, shared::LIGHT_SAMPLER_TREE},
 };
 
 constexpr ConstantRow NAIVE_SAMPLINGS[] = {
@@ -59,6 +73,8 @@ template <class Row, std::size_t N> constexpr std::array<Choice, N> choices_of(c
 
 constexpr auto INTEGRATOR_CHOICES = choices_of(INTEGRATORS);
 constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
+constexpr auto HEURISTIC_CHOICES = choices_of(HEURISTICS);
+constexpr auto LIGHT_RAY_CHOICES = choices_of(LIGHT_RAYS);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
 constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
@@ -77,6 +93,8 @@ const Row& find(std::span<const Row> rows, std::string_view what, std::string_vi
 
 std::span<const Choice> integrators() { return INTEGRATOR_CHOICES; }
 std::span<const Choice> strategies() { return STRATEGY_CHOICES; }
+std::span<const Choice> heuristics() { return HEURISTIC_CHOICES; }
+std::span<const Choice> light_ray_choices() { return LIGHT_RAY_CHOICES; }
 std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
 std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
 std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
@@ -86,6 +104,12 @@ const IntegratorRow& find_integrator(std::string_view name) {
 }
 std::uint32_t find_strategy(std::string_view name) {
     return find(std::span<const ConstantRow>(STRATEGIES), "strategy", name).constant;
+}
+std::uint32_t find_heuristic(std::string_view name) {
+    return find(std::span<const ConstantRow>(HEURISTICS), "heuristic", name).constant;
+}
+std::uint32_t find_light_rays(std::string_view name) {
+    return find(std::span<const ConstantRow>(LIGHT_RAYS), "light rays", name).constant;
 }
 std::uint32_t find_light_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(LIGHT_SAMPLERS), "light sampler", name).constant;

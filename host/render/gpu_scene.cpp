@@ -109,9 +109,8 @@ void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>
     lighting.environment = environment;
     host.lights = build_light_table(lighting, emitters, frame_.scene_radius);
     features_ |= host.lights.features;
-    frame_.light_count = static_cast<std::uint32_t>(host.lights.lights.size());
-    frame_.alias_first = host.lights.alias_first();
-    frame_.environment_light = host.lights.environment_light;
+    host.lights.describe(frame_);
+    light_tree_seconds_ = host.lights.tree.seconds;
 }
 
 void GpuScene::upload(const gpu::Device& device, const Host& host) {

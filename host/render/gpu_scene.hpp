@@ -37,6 +37,7 @@ class GpuScene {
     std::uint64_t triangle_count() const { return triangle_count_; }
     std::uint64_t device_bytes() const;
     double bvh_seconds() const { return bvh_seconds_; }
+    double light_tree_seconds() const { return light_tree_seconds_; }
 
   private:
     struct Host; // the tables before they are uploaded
@@ -53,6 +54,7 @@ class GpuScene {
     std::uint32_t texel_buffers_ = 1;
     std::uint64_t triangle_count_ = 0;
     double bvh_seconds_ = 0;
+    double light_tree_seconds_ = 0;
 };
 
 } // namespace ajar

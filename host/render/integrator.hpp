@@ -21,6 +21,7 @@ struct IntegratorContext {
     gpu::Specialization
         specialization;  // workgroup and segment size, tables, features, strategy, light sampler
     bool shadow_packets; // shadow rays of camera rays' hits are better traced together
+    std::uint32_t light_count;
 
     // The same with SPEC_OPTION set.
     gpu::Specialization with_option(std::uint32_t option) const;
@@ -35,7 +36,8 @@ class Steps {
     // A kernel over segments; its arguments are the slice alone. The kernel must outlive the steps.
     template <class Args> void add(const gpu::Kernel<Args>& kernel, std::uint32_t bounce) {
         list_.push_back([&kernel, bounce](gpu::Commands& commands, const shared::SegmentArgs& slice) {
-            Args args{slice};
+            Args args{};
+            args.segments = slice;
             args.segments.bounce = bounce;
             kernel.dispatch(commands, args, slice.segment_count);
         });

@@ -3,7 +3,9 @@
 // section 12.6.2).
 #pragma once
 
+#include "render/light_tree.hpp"
 #include "scene/scene.hpp"
+#include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/geometry.glsl.h"
 #include "shaders/shared/light.glsl.h"
 
@@ -30,14 +32,18 @@ struct EmissiveTriangle {
 
 struct LightTable {
     std::vector<shared::LightRecord> lights; // triangles in the order given, Scene::lights, the environment
-    std::vector<shared::AliasEntry> alias;   // follows the lights in BIND_LIGHTS
+    std::vector<shared::AliasEntry> alias;   // over all lights by power
+    std::vector<shared::AliasEntry> distant; // over those without a place, by irradiance
+    float distant_irradiance = 0;            // luminance, W/m^2: of all of those, facing each
+    LightTree tree;                          // over the others
     std::vector<double> powers;              // per light, W
     std::uint32_t environment_light = shared::NO_LIGHT;
     std::uint32_t features = 0; // FEATURE_* bits of the kinds that are there
 
-    // BIND_LIGHTS, and FrameRecord::alias_first.
+    // BIND_LIGHTS: lights, alias, distant, tree's nodes and trails.
     std::vector<glm::uvec4> words() const;
-    std::uint32_t alias_first() const;
+    // Where those parts begin, and the other fields about lights.
+    void describe(shared::FrameRecord& frame) const;
 };
 
 // scene_radius: of a sphere around the scene, metres; the environment and directional lights shine through
@@ -50,5 +56,12 @@ LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangl
 double light_power(const EmissiveTriangle& triangle);
 double light_power(const Light& light, float scene_radius);
 double light_power(const Environment& environment, float scene_radius);
+
+// As the light tree sees a light that is somewhere.
+LightBounds light_bounds(const EmissiveTriangle& triangle);
+LightBounds light_bounds(const Light& light);
+// Of a light that is nowhere: what it brings to a surface that faces it, W/m^2, luminance.
+double distant_irradiance(const Light& light);
+double distant_irradiance(const Environment& environment);
 
 } // namespace ajar

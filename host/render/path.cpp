@@ -1,4 +1,7 @@
-// The wavefront path tracers: path (next-event estimation with multiple importance sampling) and naive.
+// The wavefront path tracers: path (next-event estimation with multiple importance sampling), direct (the
+// same without indirect bounces) and naive.
+#include "base/error.hpp"
+#include "render/choices.hpp"
 #include "render/integrator.hpp"
 #include "shaders/kernels/connect.glsl.h"
 #include "shaders/kernels/extend.glsl.h"
@@ -6,37 +9,75 @@
 #include "shaders/kernels/shade.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
+#include <fmt/format.h>
+#include <optional>
+
 namespace ajar {
 
 namespace {
 
 using namespace shared;
 
+// Every light is a pair of dispatches at every bounce.
+constexpr std::uint32_t MAX_LIGHTS_FOR_ALL = 256;
+
+// How many lights get a shadow ray each; 0: one that is picked.
+std::uint32_t lights_in_turn(const IntegratorContext& context) {
+    if (find_light_rays(context.settings.light_rays) == SHADE_WHOLE || context.settings.strategy == "bsdf")
+        return 0;
+    if (context.light_count > MAX_LIGHTS_FOR_ALL)
+        throw Error(fmt::format("light rays 'all': the scene has {} lights, more than {} (use 'one', which "
+                                "picks one of them)",
+                                context.light_count, MAX_LIGHTS_FOR_ALL));
+    return context.light_count;
+}
+
 // generate and accumulate are the renderer's: every integrator shares them.
 class PathIntegrator : public Integrator {
   public:
     explicit PathIntegrator(const IntegratorContext& context)
         : last_bounce_(context.settings.max_bounces + 1), connects_(context.settings.strategy != "bsdf"),
+          lights_in_turn_(lights_in_turn(context)),
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
-          shade_(context.device, "shade", context.specialization),
+          shade_(context.device, "shade",
+                 context.with_option(lights_in_turn_ > 0 ? SHADE_SCATTER : SHADE_WHOLE)),
           connect_camera_(context.device, "connect",
                           context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
-          connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {}
+          connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {
+        if (lights_in_turn_ > 0) light_.emplace(context.device, "shade", context.with_option(SHADE_LIGHT));
+    }
 
     void add_steps(Steps& steps) const override {
         for (std::uint32_t bounce = 0; bounce <= last_bounce_; ++bounce) {
             steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
             if (bounce == 0) steps.add_aovs();
+            if (bounce < last_bounce_) add_all_lights(steps, bounce);
             steps.add(shade_, bounce);
-            if (connects_ && bounce < last_bounce_)
-                steps.add(bounce == 0 ? connect_camera_ : connect_bounce_, bounce);
+            if (connects_ && lights_in_turn_ == 0 && bounce < last_bounce_) add_connect(steps, bounce);
         }
     }
 
   private:
+    void add_connect(Steps& steps, std::uint32_t bounce) const {
+        steps.add(bounce == 0 ? connect_camera_ : connect_bounce_, bounce);
+    }
+    // Each makes its shadow rays where the last one's were.
+    void add_all_lights(Steps& steps, std::uint32_t bounce) const {
+        for (std::uint32_t light = 0; light < lights_in_turn_; ++light) {
+            steps.add([this, bounce, light](gpu::Commands& commands, const SegmentArgs& slice) {
+                ShadeArgs args{slice, light};
+                args.segments.bounce = bounce;
+                light_->dispatch(commands, args, slice.segment_count);
+            });
+            add_connect(steps, bounce);
+        }
+    }
+
     std::uint32_t last_bounce_; // where only emission is counted
     bool connects_;
+    std::uint32_t lights_in_turn_; // 0: shade_ picks one
+    std::optional<gpu::Kernel<ShadeArgs>> light_;
     gpu::Kernel<ExtendArgs> extend_camera_;
     gpu::Kernel<ExtendArgs> extend_bounce_;
     gpu::Kernel<ShadeArgs> shade_;

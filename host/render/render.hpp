@@ -19,7 +19,9 @@ struct Choice {
 };
 std::span<const Choice> integrators();
 std::span<const Choice> strategies();
+std::span<const Choice> heuristics();
 std::span<const Choice> light_samplers();
+std::span<const Choice> light_ray_choices();
 std::span<const Choice> naive_samplings();
 std::span<const Choice> pixel_filters();
 
@@ -31,6 +33,7 @@ struct RenderStats {
     double prepare_seconds = 0; // hierarchy and upload
     double render_seconds = 0;
     double bvh_seconds = 0;
+    double light_tree_seconds = 0;
     std::uint64_t triangles = 0;
     std::uint64_t lights = 0;
     std::uint64_t device_bytes = 0;

@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 namespace ajar {
@@ -39,6 +40,7 @@ constexpr std::uint32_t MAX_SAMPLES_PER_PASS = 64; // a segment holds whole pixe
 RenderSettings resolved(RenderSettings settings, const GpuScene& scene) {
     if (!(settings.filter_radius > 0))
         settings.filter_radius = settings.filter == PixelFilter::box ? 0.5f : 1.5f;
+    if (settings.integrator == "direct") settings.max_bounces = 0;
     if (!(settings.ao_distance > 0)) settings.ao_distance = 0.2f * scene.frame().scene_radius;
     return settings;
 }
@@ -49,7 +51,8 @@ void check(const RenderSettings& s) {
     if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
         throw Error("samples: first sample and count go beyond 2^32");
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
-    find_naive_sampling(s.naive_sampling); // an unknown name is an error for every integrator, as others are
+    find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
+    find_naive_sampling(s.naive_sampling);
 }
 
 // Samples that a pass takes of each pixel: as many as fit in the pool, so that small pictures fill it too,
@@ -101,7 +104,7 @@ class RenderJob {
           bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
           frame_buffer_(device, sizeof(FrameRecord), "frame"),
           gpu_scene_(gpu_scene), context_{device, settings_, specialization(),
-                                          gpu_scene.suits_shadow_packets()},
+                                          gpu_scene.suits_shadow_packets(), gpu_scene.frame().light_count},
           generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
           accumulate_(device, "accumulate", context_.specialization),
           integrator_(find_integrator(settings.integrator).make(context_)) {
@@ -158,6 +161,7 @@ gpu::Specialization RenderJob::specialization() const {
             {SPEC_PATH_TEXELS, pool_.read_by_texels(device_) ? 1u : 0u},
             {SPEC_STACK_REGISTERS, gpu_scene_.stack_registers()},
             {SPEC_STRATEGY, find_strategy(settings_.strategy)},
+            {SPEC_HEURISTIC, find_heuristic(settings_.heuristic)},
             {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)}};
 }
 
@@ -184,6 +188,7 @@ void RenderJob::write_frame() {
     frame.rr_depth = settings_.rr_depth;
     frame.filter_radius = settings_.filter_radius;
     frame.ao_distance = settings_.ao_distance;
+    frame.sample_clamp = settings_.clamp > 0 ? settings_.clamp : std::numeric_limits<float>::max();
     frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
 }
 
@@ -247,6 +252,7 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     const PoolTotals totals = pool_.totals();
     stats.settings = settings_;
     stats.bvh_seconds = gpu_scene_.bvh_seconds();
+    stats.light_tree_seconds = gpu_scene_.light_tree_seconds();
     stats.triangles = gpu_scene_.triangle_count();
     stats.lights = gpu_scene_.frame().light_count;
     stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();

@@ -18,12 +18,15 @@ struct RenderSettings {
     std::uint32_t rr_depth = 3;          // bounces before Russian roulette begins
     std::string integrator = "path";     // a row of integrators()
     std::string strategy = "mis";        // a row of strategies()
+    std::string heuristic = "power";     // a row of heuristics(); strategy mis
     std::string light_sampler = "power"; // a row of light_samplers()
+    std::string light_rays = "one";      // a row of light_ray_choices()
     std::string naive_sampling = "bsdf"; // a row of naive_samplings(); integrator naive
     std::string camera;                  // name or index; empty: the scene's
     PixelFilter filter = PixelFilter::box;
     float filter_radius = 0;         // pixels; 0: the filter's own default
     float background[3] = {0, 0, 0}; // radiance where there is no environment
+    float clamp = 0;                 // samples' channels above it are cut there: biased; 0: none
     float ao_distance = 0;           // metres; 0: a tenth of the scene's diagonal (integrator ao)
     bool cull_backfaces = false;     // single-sided surfaces are not there from behind
     bool aovs = false;               // albedo, normal, position, depth, emission, object and material id

@@ -75,6 +75,14 @@ vec3 radiance_load(uint home) {
 
 void radiance_store(uint home, vec3 value) { radiance[home].xyz = value; }
 
+// Beside its radiance lies the normal (octahedral) of the surface that a path left last, which light samplers
+// look at once more when the path meets a light.
+void path_normal_store(uint home, uint normal) { radiance[home].w = uintBitsToFloat(normal); }
+uint path_normal_load(uint home) {
+    if (PATH_TEXELS != 0u) return texelFetch(radiance_texels, int(home)).w;
+    return floatBitsToUint(radiance[home].w);
+}
+
 // Anything but zero at most once for a path in a dispatch: what was added there before need not be seen.
 void radiance_add(uint home, vec3 value) { radiance_store(home, radiance_load(home) + value); }
 

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "accumulate.glsl.h"
 #include "../core/film.glsl"
+#include "../core/math.glsl"
 #include "../core/paths.glsl"
 #include "../core/segment.glsl"
 
@@ -55,6 +56,9 @@ void main() {
             report_invalid(home);
             x = vec3(0.0);
         }
+        // A clamped sample keeps its hue.
+        float peak = math_max3(x);
+        x *= peak > frame.sample_clamp ? frame.sample_clamp / peak : 1.0;
         if (any(greaterThan(x, vec3(FILM_MAX_SAMPLE)))) ++saturated;
         x = min(x, vec3(FILM_MAX_SAMPLE));
         film_add(pixel, 0u, x.r);

@@ -8,28 +8,27 @@
 #include "../core/scan.glsl"
 #include "../lights/light.glsl"
 #include "../lights/light_sampler.glsl"
+#include "../lights/mis.glsl"
 #include "../material/vertex.glsl"
 
 layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
 
-// Veach and Guibas 1995, exponent 2; ratios, so that squares cannot overflow.
-float power_heuristic(float pdf, float other) {
-    float ratio = other / pdf;
-    return 1.0 / (1.0 + ratio * ratio);
-}
+// The normal at a vertex as light samplers see it, there and when its path meets a light.
+vec3 sampler_normal(vec3 ng) { return LIGHT_SAMPLER_LOOKS ? octahedral_decode(octahedral_encode(ng)) : ng; }
 
-// The weight of a light that BSDF sampling met, which light sampling would have found with density light_pdf.
-float emission_weight(float bsdf_pdf, float light_pdf) {
-    if (STRATEGY == STRATEGY_BSDF || bsdf_pdf == 0.0) return 1.0;
-    if (STRATEGY == STRATEGY_LIGHT) return light_pdf > 0.0 ? 0.0 : 1.0;
-    return power_heuristic(bsdf_pdf, light_pdf);
+// Probability with which the vertex that the path left last would have picked the light that it met.
+float pick_pmf(PathState path, uint light) {
+    if (STRATEGY == STRATEGY_BSDF) return 0.0;
+    if (OPTION == SHADE_SCATTER) return 1.0;
+    vec3 normal = LIGHT_SAMPLER_LOOKS ? octahedral_decode(path_normal_load(path.home)) : vec3(0.0);
+    return light_sampler_pmf(path.origin, normal, light);
 }
 
 vec3 missed(PathState path) {
     if (!has_feature(FEATURE_ANY_ENVIRONMENT)) return vec3(0.0);
     vec4 radiance_pdf = environment_lookup(path.direction);
-    float pmf = light_sampler_pmf(path.origin, vec3(0.0), frame.environment_light);
-    return radiance_pdf.rgb * emission_weight(path.pdf, pmf * radiance_pdf.a);
+    float pmf = pick_pmf(path, frame.environment_light);
+    return radiance_pdf.rgb * mis_emission_weight(path.pdf, pmf * radiance_pdf.a);
 }
 
 vec3 met_emission(PathState path, Vertex v) {
@@ -38,20 +37,27 @@ vec3 met_emission(PathState path, Vertex v) {
         float distance = length(v.surface.position - path.origin);
         float pdf = light_pdf_triangle(path.direction, distance, v.surface.ng, v.surface.area);
         bool is_light = v.surface.light != NO_LIGHT;
-        light_pdf = is_light ? pdf * light_sampler_pmf(path.origin, vec3(0.0), v.surface.light) : 0.0;
+        light_pdf = is_light ? pdf * pick_pmf(path, v.surface.light) : 0.0;
     }
-    return vertex_emission(v) * emission_weight(path.pdf, light_pdf);
+    return vertex_emission(v) * mis_emission_weight(path.pdf, light_pdf);
+}
+
+// The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
+LightPick pick_light(Vertex v, Sampler points, uint dimension) {
+    if (OPTION == SHADE_LIGHT) return LightPick(args.light, 1.0, 0.0);
+    return light_sampler_pick(v.surface.departure, sampler_normal(v.surface.ng),
+                              sampler_1d(points, dimension + DIM_LIGHT_PICK));
 }
 
 // A shadow ray to one light. False when nothing can come of it.
 bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
-    LightPick pick = light_sampler_pick(v.surface.departure, v.surface.ng, sampler_1d(points, dimension +
-        DIM_LIGHT_PICK));
+    if (OPTION == SHADE_LIGHT) dimension += DIM_PER_LIGHT * (args.light + 1u);
+    LightPick pick = pick_light(v, points, dimension);
     LightSample light = light_sample(pick.light, v.surface.departure, sampler_2d(points, dimension +
         DIM_LIGHT));
     BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
     float light_pdf = light.pdf * pick.pmf;
-    float weight = STRATEGY == STRATEGY_MIS && !light.delta ? power_heuristic(light_pdf, value.pdf) : 1.0;
+    float weight = STRATEGY == STRATEGY_MIS && !light.delta ? mis_weight(light_pdf, value.pdf) : 1.0;
     float cosine = dot(v.frame.n, light.wi);
     bool above = cosine > 0.0 && dot(v.surface.ng, light.wi) > 0.0 && light_pdf > 0.0;
     ray.origin = v.surface.departure;
@@ -72,6 +78,8 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     path.origin = v.surface.departure;
     path.leaves = path.triangle;
     path.pdf = next.delta ? 0.0 : next.pdf;
+    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && OPTION == SHADE_WHOLE)
+        path_normal_store(path.home, octahedral_encode(v.surface.ng));
     path.beta *= next.weight;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
     if (args.segments.bounce >= frame.rr_depth) {
@@ -96,10 +104,12 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
         if (args.segments.bounce <= frame.max_bounces && lit) {
             Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
-            if (STRATEGY != STRATEGY_BSDF) connects = connect_light(path, v, points, dimension, ray);
+            if (STRATEGY != STRATEGY_BSDF && OPTION != SHADE_SCATTER)
+                connects = connect_light(path, v, points, dimension, ray);
             alive = scatter(path, v, points, dimension);
         }
     }
+    if (OPTION == SHADE_LIGHT) return false;
     if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }
@@ -118,15 +128,18 @@ void main() {
         bool connects = false;
         bool alive = false;
         if (i < count) alive = shade(path, ray, connects);
-        Scan survivors = scan_keepers(alive);
-        path_store(first + kept + scan_place(survivors, alive), path);
-        kept += survivors.total;
+        if (OPTION != SHADE_LIGHT) {
+            Scan survivors = scan_keepers(alive);
+            path_store(first + kept + scan_place(survivors, alive), path);
+            kept += survivors.total;
+        }
+        if (OPTION == SHADE_SCATTER) continue;
         Scan connections = scan_keepers(connects);
         shadow_ray_store(first + shadows + scan_place(connections, connects), ray);
         shadows += connections.total;
     }
     if (gl_LocalInvocationID.x == 0u) {
-        segments[segment].paths = kept;
+        if (OPTION != SHADE_LIGHT) segments[segment].paths = kept;
         segments[segment].shadows = shadows;
     }
 }

@@ -8,16 +8,24 @@
 // p_b and p_l by solid angle: the power heuristic of Veach and Guibas 1995. SPEC_STRATEGY leaves one of the
 // two out (its weight is then 1). Delta lobes (p_b = 0 by convention) see lights by BSDF sampling alone,
 // delta lights by light sampling alone. At bounce max_bounces + 1 only emission is counted: what the last
-// BSDF sample met.
+// BSDF sample met. SPEC_HEURISTIC: exponent 2 as above, or 1, the balance heuristic.
+// SPEC_OPTION: SHADE_WHOLE does all of this. For a shadow ray to every light instead of a picked one, a
+// dispatch of SHADE_LIGHT for each makes its shadow rays and leaves paths and emission alone; SHADE_SCATTER
+// does the rest.
 #ifndef AJAR_SHADE_GLSL_H
 #define AJAR_SHADE_GLSL_H
 #include "../shared/segment_args.glsl.h"
 DUAL_BEGIN
 
+const uint SHADE_WHOLE = 0;
+const uint SHADE_LIGHT = 1;
+const uint SHADE_SCATTER = 2;
+
 struct ShadeArgs {
     SegmentArgs segments;
+    uint light; // SHADE_LIGHT: index of the LightRecord
 };
-DUAL_SIZE(ShadeArgs, 36);
+DUAL_SIZE(ShadeArgs, 40);
 
 DUAL_END
 #endif

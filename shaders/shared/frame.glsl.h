@@ -66,9 +66,16 @@ struct FrameRecord {
     uint cull_backfaces;         // 1: single-sided triangles are not there from behind
     uint instance_count;
     float ao_distance;           // reach of the ao integrator, metres
-    uint pad[2];
+    uint distant_first;          // texel in BIND_LIGHTS: alias table over lights that are nowhere
+    uint distant_slots;          // its entries: 0 or a power of two
+    float distant_irradiance;    // of those lights together, luminance, W/m^2
+    uint tree_first;             // texel in BIND_LIGHTS: light tree
+    uint tree_nodes;             // 0: no light is somewhere
+    uint trails_first;           // texel in BIND_LIGHTS: trails, four a texel
+    float sample_clamp;          // no channel of a sample is above this
+    uint pad;
 };
-DUAL_SIZE(FrameRecord, 272);
+DUAL_SIZE(FrameRecord, 296);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;

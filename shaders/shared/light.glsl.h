@@ -1,4 +1,5 @@
-// BIND_LIGHTS: LightRecords, then the alias table of the power sampler (FrameRecord says where each begins).
+// BIND_LIGHTS: LightRecords, then the light samplers' tables: alias tables over all lights and over the
+// distant ones, the light tree (light_tree.glsl.h). FrameRecord says where each begins.
 #ifndef AJAR_LIGHT_GLSL_H
 #define AJAR_LIGHT_GLSL_H
 #include "dual.glsl.h"
@@ -28,7 +29,7 @@ struct LightRecord {
     vec3 p2;
     float power_pmf; // probability that the power sampler picks this light
     vec3 radiance;
-    float area;      // triangle: m^2
+    float distant_pmf; // share among the lights that are nowhere (directional, environment), by irradiance
 };
 DUAL_SIZE(LightRecord, 64);
 
@@ -42,7 +43,8 @@ const int ENVIRONMENT_CELL_BITS = 11;
 struct AliasEntry {
     float keep;
     uint other;
-    uint pad[2];
+    uint own;  // i, or what it stands for
+    uint pad;
 };
 DUAL_SIZE(AliasEntry, 16);
 

@@ -16,6 +16,7 @@ const uint SPEC_OPTION = 6;         // a kernel's own variant, named in its head
 const uint SPEC_PATH_TEXELS = 7;
 // Groups of a traversal's stack that are in registers; 0: it is in memory
 const uint SPEC_STACK_REGISTERS = 8;
+const uint SPEC_HEURISTIC = 10; // HEURISTIC_*: how STRATEGY_MIS weighs its two samplings
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy
 const uint FEATURE_ALPHA = 1u << 1;           // some triangles need an alpha or facing test when hit
@@ -37,8 +38,12 @@ const uint STRATEGY_BSDF = 0;
 const uint STRATEGY_LIGHT = 1;
 const uint STRATEGY_MIS = 2;
 
+const uint HEURISTIC_POWER = 0; // exponent 2
+const uint HEURISTIC_BALANCE = 1;
+
 const uint LIGHT_SAMPLER_POWER = 0;
 const uint LIGHT_SAMPLER_UNIFORM = 1;
+const uint LIGHT_SAMPLER_TREE = 2;
 
 DUAL_END
 #endif

@@ -119,7 +119,7 @@ const Library LIBRARIES[] = {
     {"tinygltf", "tiny_gltf\\.h", {"host/import"}},
     {"Draco", "draco/.*", {"host/import", "tests/unit/import"}},
     {"meshoptimizer", "meshoptimizer\\.h", {"host/import", "tests/unit/import"}},
-    {"oneTBB", "(tbb|oneapi)/.*", {"host/bvh", "host/render", "tests/unit/bvh"}},
+    {"oneTBB", "(tbb|oneapi)/.*", {"host/bvh", "host/render", "tests/unit/bvh", "tests/unit/render"}},
     {"CLI11", "CLI/.*", {"host/cli", "tests/bench"}},
     {"cpp-httplib", "httplib\\.h", {"host/serve"}},
     {"Embree", "embree[34]?/.*", {"tests/bench"}},

@@ -108,6 +108,34 @@ Scene cards() {
     return builder.build();
 }
 
+// Every kind of light at once, near and from far away.
+Scene all_lights() {
+    SceneBuilder builder;
+    const std::uint32_t white = builder.material(lambert({0.7f, 0.7f, 0.7f}));
+    builder.square({0, 0, 0}, {0, 1, 0}, 2, white);
+    builder.square({0, 1, -1}, {0, 0, 1}, 1, white);
+    builder.square({-0.8f, 0.9f, 0.2f}, glm::normalize(glm::vec3(1, -0.5f, 0)), 0.2f,
+                   builder.material(emitter({4, 3, 2})));
+    builder.box({-0.2f, 0, -0.2f}, {0.3f, 0.4f, 0.3f}, white);
+    builder.constant_environment({0.2f, 0.3f, 0.5f});
+    builder.perspective({0, 1, 3.2f}, {0, 0.5f, 0}, 0.7f);
+    Scene scene = builder.build();
+    Light light;
+    light.position = {0.7f, 1.2f, 0.4f};
+    light.intensity = glm::vec3(0.4f, 0.5f, 0.3f);
+    scene.lights.push_back(light);
+    light.kind = LightKind::spot;
+    light.position = {-0.3f, 1.6f, 0.8f};
+    light.direction = glm::normalize(glm::vec3(0.2f, -1, -0.4f));
+    light.inner_cone_angle = 0.2f;
+    light.outer_cone_angle = 0.5f;
+    scene.lights.push_back(light);
+    light.kind = LightKind::directional;
+    light.intensity = glm::vec3(0.6f, 0.5f, 0.4f);
+    scene.lights.push_back(light);
+    return scene;
+}
+
 constexpr SmallScene SCENES[] = {
     {"DiffuseRoom", diffuse_room, true},
     {"GlossyRoom", glossy_room, true},
@@ -116,6 +144,7 @@ constexpr SmallScene SCENES[] = {
     {"TexturedLights", textured_lights, true},
     {"ManyLights", many_lights, true},
     {"Cards", cards, true},
+    {"AllLights", all_lights, true},
 };
 
 } // namespace

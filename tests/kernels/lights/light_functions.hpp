@@ -36,9 +36,7 @@ class LightFunctions : public GpuTest {
                                       std::vector<LightItem> items) {
         const LightTable table = lighting.table();
         shared::FrameRecord frame{};
-        frame.light_count = static_cast<std::uint32_t>(table.lights.size());
-        frame.alias_first = table.alias_first();
-        frame.environment_light = table.environment_light;
+        table.describe(frame);
         frame.environment_cos = 1;
         EnvironmentTable environment;
         if (lighting.scene.environment) {

@@ -18,6 +18,7 @@
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/geometry.glsl.h"
 #include "shaders/shared/light.glsl.h"
+#include "shaders/shared/light_tree.glsl.h"
 #include "shaders/shared/material.glsl.h"
 #include "shaders/shared/path.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
@@ -76,7 +77,9 @@ const Field FIELDS[] = {
     F(FrameRecord, environment_light), F(FrameRecord, light_count), F(FrameRecord, alias_first),
     F(FrameRecord, textures_first), F(FrameRecord, root), F(FrameRecord, scene_center),
     F(FrameRecord, scene_radius), F(FrameRecord, cull_backfaces), F(FrameRecord, instance_count),
-    F(FrameRecord, ao_distance), F(FrameRecord, pad),
+    F(FrameRecord, ao_distance), F(FrameRecord, distant_first), F(FrameRecord, distant_slots),
+    F(FrameRecord, distant_irradiance), F(FrameRecord, tree_first), F(FrameRecord, tree_nodes),
+    F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, pad),
     F(SurfaceRecord, normal), F(SurfaceRecord, material), F(SurfaceRecord, uv0), F(SurfaceRecord, light),
     F(SurfaceRecord, object),
     F(SurfaceExtension, uv1), F(SurfaceExtension, tangent), F(SurfaceExtension, tangent_sign),
@@ -84,8 +87,10 @@ const Field FIELDS[] = {
     F(InstanceRecord, to_world), F(InstanceRecord, to_object), F(InstanceRecord, root),
     F(InstanceRecord, flags), F(InstanceRecord, object), F(InstanceRecord, pad),
     F(LightRecord, p0), F(LightRecord, kind), F(LightRecord, p1), F(LightRecord, triangle),
-    F(LightRecord, p2), F(LightRecord, power_pmf), F(LightRecord, radiance), F(LightRecord, area),
-    F(AliasEntry, keep), F(AliasEntry, other), F(AliasEntry, pad),
+    F(LightRecord, p2), F(LightRecord, power_pmf), F(LightRecord, radiance), F(LightRecord, distant_pmf),
+    F(AliasEntry, keep), F(AliasEntry, other), F(AliasEntry, own), F(AliasEntry, pad),
+    F(LightTreeNode, center), F(LightTreeNode, radius), F(LightTreeNode, axis), F(LightTreeNode, cones),
+    F(LightTreeNode, intensity), F(LightTreeNode, child),
     F(MaterialRecord, base_color), F(MaterialRecord, emission), F(MaterialRecord, flags),
     F(MaterialRecord, metallic), F(MaterialRecord, roughness), F(MaterialRecord, normal_scale),
     F(MaterialRecord, alpha_cutoff), F(MaterialRecord, dielectric_f0), F(MaterialRecord, dielectric_f90),
@@ -113,7 +118,7 @@ const Field FIELDS[] = {
     F(GenerateArgs, segments),
     F(NaiveArgs, segments),
     F(NormalsArgs, segments),
-    F(ShadeArgs, segments),
+    F(ShadeArgs, segments), F(ShadeArgs, light),
 };
 // clang-format on
 

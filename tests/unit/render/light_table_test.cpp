@@ -110,8 +110,10 @@ TEST(LightTable, OrdersTrianglesThenPunctualLightsThenTheEnvironment) {
 TEST(LightTable, WordsHoldRecordsThenTheAliasTable) {
     const LightTable table = build_light_table(small_scene(), {}, 2);
     const std::vector<glm::uvec4> words = table.words();
-    ASSERT_EQ(table.alias_first(), 12u);
-    ASSERT_EQ(words.size(), 12u + 4u);
+    shared::FrameRecord frame{};
+    table.describe(frame);
+    ASSERT_EQ(frame.alias_first, 12u);
+    ASSERT_GE(words.size(), 12u + 4u);
     EXPECT_EQ(std::memcmp(words.data() + 4, &table.lights[1], sizeof table.lights[1]), 0);
     EXPECT_EQ(std::memcmp(words.data() + 12, table.alias.data(), 64), 0);
 }

@@ -9,6 +9,7 @@
 #include "shared/frame.glsl.h"
 #include "shared/geometry.glsl.h"
 #include "shared/light.glsl.h"
+#include "shared/light_tree.glsl.h"
 #include "shared/material.glsl.h"
 #include "shared/path.glsl.h"
 #include "kernels/accumulate.glsl.h"
@@ -37,6 +38,7 @@ MENTION(SurfaceExtension)
 MENTION(InstanceRecord)
 MENTION(LightRecord)
 MENTION(AliasEntry)
+MENTION(LightTreeNode)
 MENTION(MaterialRecord)
 MENTION(TextureRecord)
 MENTION(PathState)
@@ -59,7 +61,8 @@ MENTION(ShadeArgs)
 void main() {
     const int total = 0 USE(BvhNode) USE(TriangleRecord) USE(FilmPixel) USE(AovPixel) USE(Diagnostics)
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
-        USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(MaterialRecord) USE(TextureRecord)
+        USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode)
+        USE(MaterialRecord) USE(TextureRecord)
         USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
         USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);

@@ -1,0 +1,66 @@
+// Picks a light by what it may bring to the point: lights that are somewhere through the light tree, those
+// that are nowhere (directional, environment) in proportion to their irradiance. Which of the two groups is
+// decided by what each may bring; either keeps a tenth, for neither estimate knows what is in the way.
+#ifndef AJAR_SAMPLER_TREE_GLSL
+#define AJAR_SAMPLER_TREE_GLSL
+#include "light_tree.glsl"
+
+const uint FEATURE_DISTANT_LIGHTS = FEATURE_PUNCTUAL_LIGHTS | FEATURE_ENVIRONMENT_MAP |
+                                    FEATURE_CONSTANT_ENVIRONMENT;
+const float SAMPLER_TREE_LEAST_SHARE = 0.1;
+
+// Probability of the distant lights.
+float sampler_tree_distant_share(vec3 point, vec3 normal) {
+    if (!has_feature(FEATURE_DISTANT_LIGHTS)) return 0.0;
+    const float distant = frame.distant_irradiance;
+    const float near = light_tree_importance_of_all(point, normal);
+    const float share = clamp(distant / (distant + near), SAMPLER_TREE_LEAST_SHARE,
+                              1.0 - SAMPLER_TREE_LEAST_SHARE);
+    const float alone = near > 0.0 ? share : 1.0;
+    return distant > 0.0 ? alone : 0.0;
+}
+
+// By the alias method, as sampler_power.glsl.
+LightPick sampler_tree_pick_distant(float u) {
+    const float scaled = u * float(frame.distant_slots);
+    const float slot = min(floor(scaled), float(max(frame.distant_slots, 1u) - 1u));
+    const float rest = scaled - slot;
+    const uvec4 entry = fetch_light(frame.distant_first + uint(int(slot)));
+    const float keep = uintBitsToFloat(entry.x);
+    const bool kept = rest < keep;
+    LightPick pick;
+    pick.light = kept ? entry.z : entry.y;
+    pick.pmf = uintBitsToFloat(fetch_light(pick.light * LIGHT_TEXELS + 3u).w);
+    pick.u = min(kept ? rest / keep : (rest - keep) / (1.0 - keep), LIGHT_PICK_BELOW_ONE);
+    return pick;
+}
+
+LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
+    const float share = sampler_tree_distant_share(point, normal);
+    const bool distant = u < share;
+    const float rest = min((distant ? u : u - share) / (distant ? share : 1.0 - share), LIGHT_PICK_BELOW_ONE);
+    LightPick pick = LightPick(0u, 0.0, rest);
+    if (has_feature(FEATURE_DISTANT_LIGHTS)) {
+        if (distant) pick = sampler_tree_pick_distant(rest);
+        pick.pmf *= share;
+    }
+    if (frame.tree_nodes != 0u && !distant) {
+        const LightTreeWay way = light_tree_descend(point, normal, rest, 0u, false);
+        pick = LightPick(way.light, (1.0 - share) * way.pmf, way.u);
+    }
+    return pick;
+}
+
+float sampler_tree_pmf(vec3 point, vec3 normal, uint light) {
+    const float share = sampler_tree_distant_share(point, normal);
+    const uint trail = frame.tree_nodes != 0u ? light_tree_trail(light) : NO_TRAIL;
+    float pmf = 0.0;
+    if (trail != NO_TRAIL) pmf = (1.0 - share) * light_tree_descend(point, normal, 0.0, trail, true).pmf;
+    if (has_feature(FEATURE_DISTANT_LIGHTS)) {
+        const float distant = uintBitsToFloat(fetch_light(light * LIGHT_TEXELS + 3u).w);
+        pmf = distant > 0.0 ? share * distant : pmf;
+    }
+    return pmf;
+}
+
+#endif
