@@ -89,9 +89,10 @@ class Gltf:
         return {"index": self._add("textures", texture)}
 
     def attributes(self, shape):
-        """Stores a shape's vertices and indices; primitives may share them."""
-        accessors = {"POSITION": self._accessor(shape.positions, "VEC3", FLOAT, VERTEX_TARGET, bounds=True),
-                     "NORMAL": self._accessor(shape.normals, "VEC3", FLOAT, VERTEX_TARGET)}
+        """Stores a shape's vertices and indices; primitives may share them. Without normals it is flat."""
+        accessors = {"POSITION": self._accessor(shape.positions, "VEC3", FLOAT, VERTEX_TARGET, bounds=True)}
+        if shape.normals:
+            accessors["NORMAL"] = self._accessor(shape.normals, "VEC3", FLOAT, VERTEX_TARGET)
         if shape.uvs:
             accessors["TEXCOORD_0"] = self._accessor(shape.uvs, "VEC2", FLOAT, VERTEX_TARGET)
         return {"attributes": accessors,
