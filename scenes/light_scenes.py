@@ -62,37 +62,6 @@ def furnace_room(gltf):
     gltf.camera((0.2, 0.1, 0.7), (-0.3, -0.2, -1), 60)
 
 
-def tile(x, y, z, half):
-    """The corners of a level square."""
-    return [(x + s * half, y, z + t * half) for s, t in ((-1, -1), (-1, 1), (1, 1), (1, -1))]
-
-
-def many_lights(gltf):
-    """# Many lights
-
-    Fifty small square lights (100 emissive triangles) hang in a hall, each of its own colour and
-    brightness: from 1 to 100 W/(m^2 sr). A light sampler must choose well among them.
-
-    **Right answer:** the same mean whatever `--light-sampler` says; a pool of coloured light under each
-    lamp. Direct light (`--max-bounces 0`) on the floor is the sum of fifty form factors.
-    """
-    lower, upper = (-5, 0, -5), (5, 3, 5)
-    gltf.object("hall", Shape().room(lower, upper), gltf.lambert("hall", GREY))
-    pillars = Shape()
-    for x, z in ((-2.5, -2.5), (2.5, -2.5), (-2.5, 1.5), (2.5, 1.5)):
-        pillars.prism(tile(x, 0, z, 0.2), 1.6)
-    gltf.object("pillars", pillars, gltf.lambert("pillars", (0.7, 0.65, 0.6)))
-    for i in range(50):
-        x, z, y = -4.5 + (i % 10), -4 + 2 * (i // 10), 2.1 + 0.07 * ((7 * i) % 11)
-        half = 0.05 + 0.012 * ((3 * i) % 7)
-        hue = i * 0.61803398875 % 1  # golden ratio: neighbours differ
-        tint = [0.55 + 0.45 * math.cos(2 * math.pi * (hue + k / 3)) for k in range(3)]
-        radiance = scale(tint, 100 ** (((17 * i) % 50) / 49))
-        gltf.object("lamp %d" % i, Shape().quad(tile(x, y, z, half), (x, 0, z)),
-                    gltf.emitter("lamp_%d" % i, radiance))
-    gltf.camera((0, 1.6, 4.7), (0, 1.1, 0), 55)
-
-
 def ajar_door(gltf):
     """# Ajar door
 

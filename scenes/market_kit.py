@@ -156,7 +156,7 @@ def stall(parts, chance, side, z, cloth, lamps):
         kind, zc = chance.of(FRUIT), z - 0.7 + 0.7 * i
         parts.box("wood", (low + 0.12, 0.86, zc - 0.28), (high - 0.12, 0.98, zc + 0.28))
         for k in range(6):
-            parts.ball8(kind, (low + 0.3 + 0.18 * (k % 3), 1.03, zc - 0.13 + 0.26 * (k // 3)), 0.105)
+            parts.ball8(kind, (low + 0.3 + 0.18 * (k % 3), 1.07, zc - 0.13 + 0.26 * (k // 3)), 0.105)
     for i in range(lamps):
         parts.ball8("emit_warm_" + chance.of(("dim", "mid", "mid", "bright")),
                     (side * 1.85, 1.95, z + 0.6 * (2 * i - 1)), chance.between(0.045, 0.07))
@@ -168,10 +168,10 @@ def street(kind):
     parts.box("paving", (-1.25, 0, -3), (1.25, 0.02, 3))
     clothes = ("red_cloth", "blue_cloth", "green_cloth", "ochre_cloth")
     if kind == 0:  # two stalls face each other
-        stall(parts, chance, -1, -1.3, clothes[0], 2)
-        stall(parts, chance, 1, -1.0, clothes[1], 2)
-        bulbs(parts, chance, (-2.7, 3.7, 0.4), (2.7, 3.9, 0.1), 6)
-        lantern_post(parts, chance, -1.75, 0.7, 2.7, 0.17)
+        stall(parts, chance, -1, -0.9, clothes[0], 2)
+        stall(parts, chance, 1, -0.7, clothes[1], 2)
+        bulbs(parts, chance, (-2.7, 3.6, -2.5), (2.7, 3.8, -2.3), 6)
+        lantern_post(parts, chance, 1.8, -2.45, 2.5, 0.2)
     elif kind == 1:  # three stalls
         stall(parts, chance, -1, -1.4, clothes[2], 2)
         stall(parts, chance, -1, 1.4, clothes[3], 2)

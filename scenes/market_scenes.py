@@ -40,7 +40,7 @@ class Market:
 
     def __init__(self, gltf, columns, rows, walled):
         self.gltf, self.columns, self.rows = gltf, columns, rows
-        self.street = columns // 8 * 4
+        self.street, self.home = columns // 8 * 4, max(rows - 2, 0)  # the camera's square
         self.materials, self.stored, self.lamps, self.meshes = surfaces(gltf), {}, {}, {}
         self.kits = kits()
         chance = Chance(1)
@@ -60,7 +60,7 @@ class Market:
 
     def place(self, i, j, chance, gain):
         if i % 4 == 0:
-            kind, turns = "street %d" % (j % 4), 0 if i == self.street else 2 * chance.below(2)
+            kind, turns = "street %d" % ((j - self.home) % 4), 0 if i == self.street else 2 * chance.below(2)
         else:
             kind = chance.of(("house 0", "house 1", "house 2") * 2 + ("tree", "grove"))
             turns = chance.below(4)
@@ -108,8 +108,23 @@ class Market:
 
     def look_along(self):
         """The camera at eye height in the second square of the street, looking along it."""
-        x, _, z = self.middle(self.street, self.rows - 2)
+        x, _, z = self.middle(self.street, self.home)
         self.gltf.camera((x + 0.3, 1.7, z + 2.5), (x - 0.3, 1.75, z - 12), 50)
+
+
+def many_lights_100(gltf):
+    """# Many lights: one court
+
+    One square of the night market of `many-lights-10000`, walled in under a black sky: two stalls face each
+    other across a paved lane, under a string of bulbs and beside a paper lantern. Ten lamps of eight
+    emissive triangles and one of twenty make 100 lights, and none is far.
+
+    **Right answer:** the same mean whatever `--light-sampler` and `--light-rays` say; 100 lights in the
+    report. Half of a lamp's triangles face away from any point: `uniform` and `power` waste these rays,
+    `tree` knows better. `power` beats `uniform`, since distance matters little; one ray to every light is
+    still practical.
+    """
+    Market(gltf, 1, 1, walled=True).look_along()
 
 
 def many_lights_10000(gltf):
@@ -119,7 +134,7 @@ def many_lights_10000(gltf):
     coloured bulbs, paper lanterns, a lit tree. Each square has 100 emissive triangles, so there are 10,000
     lights, some in every direction and at every height up to 4 m, whose powers differ by more than a hundred
     times. The camera stands in a street at eye height and looks along it over glossy paving. The lights
-    near a point do nearly all of its lighting; each is a thousandth of the market's power.
+    near a point do nearly all of its lighting, with a hundredth of the market's power.
 
     **Right answer:** the same mean whatever `--light-sampler` says; 10,000 lights in the report. `uniform`
     and `power` spend nearly all shadow rays on lights that are tens of metres away and drown the street in
@@ -145,3 +160,31 @@ def many_lights_walled_10000(gltf):
     sends its rays there.
     """
     Market(gltf, 10, 10, walled=True).look_along()
+
+
+def many_lights_100000(gltf):
+    """# Many lights: a whole town of markets
+
+    The night market of `many-lights-10000`, continued over 150 m by 240 m: a thousand squares, 100,000
+    emissive triangles. What a point of the camera's street sees nearby is of the same kind, so that what
+    ten times as many lights cost is what differs.
+
+    **Right answer:** the same mean whatever `--light-sampler` says; 100,000 lights in the report. `uniform`
+    and `power` are ten times as unlikely to find the near lights as they are with 10,000. `tree` goes a few
+    levels deeper, and neither its noise nor its cost should grow by much.
+    """
+    Market(gltf, 25, 40, walled=False).look_along()
+
+
+def many_lights_walled_100000(gltf):
+    """# Many lights behind walls: a thousand squares
+
+    The squares of `many-lights-100000`, each walled in as in `many-lights-walled-10000`. The camera's street
+    has gates through its forty squares, so 96,000 of the 100,000 emissive triangles are hidden from every
+    point that a path from the camera can reach, and they are six times as bright as their like in the street.
+
+    **Right answer:** the same mean whatever `--light-sampler` says. What hides the nearest lights is what
+    hides them in `many-lights-walled-10000`, so `tree` fares as it does there, and `visibility`, which
+    learns about clusters of lights, must do so with clusters ten times as full.
+    """
+    Market(gltf, 25, 40, walled=True).look_along()
