@@ -113,6 +113,7 @@ Json time_json(const RenderStats& stats) {
             {"bvh_seconds", stats.bvh_seconds},
             {"light_tree_seconds", stats.light_tree_seconds},
             {"render_seconds", stats.render_seconds},
+            {"learning_seconds", stats.learning_seconds},
             {"kernels", kernels}};
 }
 

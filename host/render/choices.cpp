@@ -52,6 +52,8 @@ constexpr ConstantRow LIGHT_SAMPLERS[] = {
     {{"power", "in proportion to each light's power"}, shared::LIGHT_SAMPLER_POWER},
     {{"uniform", "every light as often as any other"}, shared::LIGHT_SAMPLER_UNIFORM},
     {{"tree", "by what it may bring to the point: a hierarchy over lights"}, shared::LIGHT_SAMPLER_TREE},
+    {{"visibility", "tree times the visibility that is learned in a pass before: for rooms behind rooms"},
+     shared::LIGHT_SAMPLER_VISIBILITY},
 };
 
 constexpr ConstantRow NAIVE_SAMPLINGS[] = {

@@ -23,8 +23,9 @@ struct IntegratorContext {
     bool shadow_packets; // shadow rays of camera rays' hits are better traced together
     std::uint32_t light_count;
 
-    // The same with SPEC_OPTION set.
+    // The same with SPEC_OPTION set, and another light sampler.
     gpu::Specialization with_option(std::uint32_t option) const;
+    gpu::Specialization with_option(std::uint32_t option, std::uint32_t light_sampler) const;
 };
 
 // One dispatch, given the slice of segments it works on.
@@ -60,6 +61,8 @@ class Integrator {
     virtual ~Integrator() = default;
     // Adds what lies between generate and accumulate.
     virtual void add_steps(Steps& steps) const = 0;
+    // Adds what follows generate in the pass that learns visibility; nothing where it would not be used.
+    virtual void add_learning_steps(Steps&) const {}
 };
 
 // A row of the table that --integrator and --help print (choices.cpp).

@@ -46,6 +46,9 @@ class PathIntegrator : public Integrator {
                           context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
           connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {
         if (lights_in_turn_ > 0) light_.emplace(context.device, "shade", context.with_option(SHADE_LIGHT));
+        if (lights_in_turn_ > 0 || !connects_ || context.settings.light_sampler != "visibility") return;
+        learn_.emplace(context.device, "shade", context.with_option(SHADE_LEARN, LIGHT_SAMPLER_TREE));
+        count_.emplace(context.device, "connect", context.with_option(CONNECT_LEARN));
     }
 
     void add_steps(Steps& steps) const override {
@@ -55,6 +58,14 @@ class PathIntegrator : public Integrator {
             if (bounce < last_bounce_) add_all_lights(steps, bounce);
             steps.add(shade_, bounce);
             if (connects_ && lights_in_turn_ == 0 && bounce < last_bounce_) add_connect(steps, bounce);
+        }
+    }
+
+    void add_learning_steps(Steps& steps) const override {
+        for (std::uint32_t bounce = 0; learn_ && bounce < last_bounce_; ++bounce) {
+            steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
+            steps.add(*learn_, bounce);
+            steps.add(*count_, bounce);
         }
     }
 
@@ -78,6 +89,8 @@ class PathIntegrator : public Integrator {
     bool connects_;
     std::uint32_t lights_in_turn_; // 0: shade_ picks one
     std::optional<gpu::Kernel<ShadeArgs>> light_;
+    std::optional<gpu::Kernel<ShadeArgs>> learn_;
+    std::optional<gpu::Kernel<ConnectArgs>> count_;
     gpu::Kernel<ExtendArgs> extend_camera_;
     gpu::Kernel<ExtendArgs> extend_bounce_;
     gpu::Kernel<ShadeArgs> shade_;

@@ -29,8 +29,9 @@ class PathPool {
     // over lanes.
     bool read_by_texels(const gpu::Device& device) const;
 
-    // Sums of the segments' counters since the pool was made.
+    // Sums of the segments' counters since the pool was made or they were cleared.
     PoolTotals totals() const;
+    void clear_totals() { segment_buffer_.clear(); }
 
     // A stride coprime to `segment_count`, near the golden section: consecutive workgroups land far apart.
     static std::uint32_t interleaving_stride(std::uint32_t segment_count);

@@ -34,6 +34,7 @@ struct RenderStats {
     double render_seconds = 0;
     double bvh_seconds = 0;
     double light_tree_seconds = 0;
+    double learning_seconds = 0; // part of render_seconds: light sampler visibility
     std::uint64_t triangles = 0;
     std::uint64_t lights = 0;
     std::uint64_t device_bytes = 0;

@@ -38,6 +38,8 @@ struct RenderSettings {
     std::uint32_t pool_paths = 0;    // paths in flight; 0: chosen by device
     std::uint32_t segment_paths = 0; // paths per segment; 0: chosen by device
     double slice_seconds = 0.25;     // aimed length of one submission
+
+    bool operator==(const RenderSettings&) const = default;
 };
 
 } // namespace ajar

@@ -4,6 +4,7 @@
 #ifndef AJAR_PATHS_GLSL
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
+#include "../shared/light_visibility.glsl.h"
 #include "../shared/path.glsl.h"
 #include "variants.glsl"
 
@@ -58,7 +59,7 @@ ShadowRay shadow_ray_load(uint slot) {
     uint instance = 0u;
     if (has_feature(FEATURE_INSTANCES)) instance = shadow_ray_word(4u * slot + 3u).x;
     return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
-                     uintBitsToFloat(c.xyz), c.w, instance, uint[3](0u, 0u, 0u));
+                     uintBitsToFloat(c.xyz), c.w, instance, NO_COUNTER, uint[2](0u, 0u));
 }
 
 void shadow_ray_store(uint slot, ShadowRay ray) {
@@ -67,6 +68,10 @@ void shadow_ray_store(uint slot, ShadowRay ray) {
     shadow_ray_words[4u * slot + 2u] = uvec4(floatBitsToUint(ray.contribution), ray.home);
     if (has_feature(FEATURE_INSTANCES)) shadow_ray_words[4u * slot + 3u].x = ray.instance;
 }
+
+// Apart from the rest: only a pass that learns has them.
+void shadow_ray_counter_store(uint slot, uint counter) { shadow_ray_words[4u * slot + 3u].y = counter; }
+uint shadow_ray_counter_load(uint slot) { return shadow_ray_word(4u * slot + 3u).y; }
 
 vec3 radiance_load(uint home) {
     if (PATH_TEXELS != 0u) return uintBitsToFloat(texelFetch(radiance_texels, int(home)).xyz);

@@ -15,6 +15,7 @@ layout(set = 0, binding = BIND_MATERIALS) uniform usamplerBuffer materials_texel
 layout(set = 0, binding = BIND_TEXELS) uniform samplerBuffer texels_texels;
 layout(set = 0, binding = BIND_LIGHTS) uniform usamplerBuffer lights_texels;
 layout(set = 0, binding = BIND_ENVIRONMENT) uniform usamplerBuffer environment_texels;
+layout(set = 0, binding = BIND_VISIBILITY) uniform usamplerBuffer visibility_texels;
 
 uvec4 fetch_node(uint i) {
     if (TEXEL_BUFFERS != 0u) return texelFetch(nodes_texels, int(i));

@@ -22,6 +22,12 @@ BvhRay bvh_ray_of(uint i) {
 void bvh_found(uint i, Hit hit, bool done) {
     ShadowRay shadow = shadow_ray_load(first_slot + i);
     bool open = done && hit.triangle == NO_TRIANGLE;
+    if (OPTION == CONNECT_LEARN) {
+        uint counter = shadow_ray_counter_load(first_slot + i);
+        if (done) atomicAdd(frame.visibility_counts.at[counter].traced, 1u);
+        if (open) atomicAdd(frame.visibility_counts.at[counter].arrived, 1u);
+        return;
+    }
     radiance_add(shadow.home, open ? shadow.contribution : vec3(0.0));
     open_rays += open ? 1u : 0u;
 }

@@ -67,6 +67,9 @@ bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out
     ray.contribution = path.beta * value.f * light.radiance * (cosine * weight / max(light_pdf, 1e-37));
     ray.home = path.home;
     ray.instance = path.instance;
+    if (OPTION == SHADE_LEARN)
+        ray.counter = visibility_counter(visibility_cell(v.surface.departure, sampler_normal(v.surface.ng)),
+                                         light_tree_trail(pick.light));
     return above && any(greaterThan(ray.contribution, vec3(0.0)));
 }
 
@@ -78,7 +81,7 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     path.origin = v.surface.departure;
     path.leaves = path.triangle;
     path.pdf = next.delta ? 0.0 : next.pdf;
-    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && OPTION == SHADE_WHOLE)
+    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && OPTION != SHADE_SCATTER)
         path_normal_store(path.home, octahedral_encode(v.surface.ng));
     path.beta *= next.weight;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
@@ -135,7 +138,9 @@ void main() {
         }
         if (OPTION == SHADE_SCATTER) continue;
         Scan connections = scan_keepers(connects);
-        shadow_ray_store(first + shadows + scan_place(connections, connects), ray);
+        uint slot = first + shadows + scan_place(connections, connects);
+        shadow_ray_store(slot, ray);
+        if (OPTION == SHADE_LEARN) shadow_ray_counter_store(slot, ray.counter);
         shadows += connections.total;
     }
     if (gl_LocalInvocationID.x == 0u) {

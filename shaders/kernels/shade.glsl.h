@@ -11,7 +11,7 @@
 // BSDF sample met. SPEC_HEURISTIC: exponent 2 as above, or 1, the balance heuristic.
 // SPEC_OPTION: SHADE_WHOLE does all of this. For a shadow ray to every light instead of a picked one, a
 // dispatch of SHADE_LIGHT for each makes its shadow rays and leaves paths and emission alone; SHADE_SCATTER
-// does the rest.
+// does the rest. SHADE_LEARN does all, and notes with each shadow ray where connect is to count it.
 #ifndef AJAR_SHADE_GLSL_H
 #define AJAR_SHADE_GLSL_H
 #include "../shared/segment_args.glsl.h"
@@ -20,6 +20,7 @@ DUAL_BEGIN
 const uint SHADE_WHOLE = 0;
 const uint SHADE_LIGHT = 1;
 const uint SHADE_SCATTER = 2;
+const uint SHADE_LEARN = 3;
 
 struct ShadeArgs {
     SegmentArgs segments;

@@ -7,19 +7,19 @@
 #include "sampler_uniform.glsl"
 
 // Whether it does look: then the normal must reach pmf as it reached pick, to the last bit.
-const bool LIGHT_SAMPLER_LOOKS = LIGHT_SAMPLER == LIGHT_SAMPLER_TREE;
+const bool LIGHT_SAMPLER_LOOKS = LIGHT_SAMPLER == LIGHT_SAMPLER_TREE || LIGHT_SAMPLER_LEARNS;
 
 LightPick light_sampler_pick(vec3 point, vec3 normal, float u) {
     if (!has_feature(FEATURE_ANY_LIGHT)) return LightPick(0u, 0.0, u); // the tables are empty
     if (LIGHT_SAMPLER == LIGHT_SAMPLER_UNIFORM) return sampler_uniform_pick(u);
-    if (LIGHT_SAMPLER == LIGHT_SAMPLER_TREE) return sampler_tree_pick(point, normal, u);
+    if (LIGHT_SAMPLER_LOOKS) return sampler_tree_pick(point, normal, u);
     return sampler_power_pick(u);
 }
 
 // Probability that light_sampler_pick gives `light` at that point.
 float light_sampler_pmf(vec3 point, vec3 normal, uint light) {
     if (LIGHT_SAMPLER == LIGHT_SAMPLER_UNIFORM) return sampler_uniform_pmf();
-    if (LIGHT_SAMPLER == LIGHT_SAMPLER_TREE) return sampler_tree_pmf(point, normal, light);
+    if (LIGHT_SAMPLER_LOOKS) return sampler_tree_pmf(point, normal, light);
     return sampler_power_pmf(light);
 }
 

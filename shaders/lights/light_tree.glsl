@@ -9,6 +9,7 @@
 #include "../core/rng.glsl"
 #include "../shared/light_tree.glsl.h"
 #include "light_pick.glsl"
+#include "light_visibility.glsl"
 
 // Cosines below this count as this: light that just grazes is still light, and float cosines of bounds err.
 const float LIGHT_TREE_GRAZING = 2e-3;
@@ -61,20 +62,26 @@ struct LightTreeWay {
 };
 
 // Down to a light: by u, or, to learn how probable a light is, along its trail. Both take the same decisions'
-// probabilities, to the last bit.
-LightTreeWay light_tree_descend(vec3 point, vec3 normal, float u, uint trail, bool follow) {
+// probabilities, to the last bit. What `cell` learned of a node's visibility scales its importance.
+LightTreeWay light_tree_descend(vec3 point, vec3 normal, uint cell, float u, uint trail, bool follow) {
     LightTreeWay way = LightTreeWay(1.0, u, 0u);
     // u has 24 digits, and every decision uses some up: more are drawn from a hash of the point, which leaves
     // a long way's probabilities exact on average over points, where 2^24 values of u could not.
     float step_of_u = 1.0 / 16777216.0;
     uint digits = rng_combine(floatBitsToUint(u), floatBitsToUint(point.x) ^ floatBitsToUint(point.z));
     uint child = fetch_light(frame.tree_first + 1u).w;
+    uint node = 1u; // as in a heap; runs over below the levels that are learned about
     for (uint depth = 0u; depth < LIGHT_TREE_MAX_DEPTH && (child & LIGHT_TREE_LEAF) == 0u; ++depth) {
         const uint pair = frame.tree_first + LIGHT_TREE_PAIR_TEXELS * (child & LIGHT_TREE_INDEX);
         const uvec4 left_b = fetch_light(pair + 1u);
         const uvec4 right_b = fetch_light(pair + 3u);
-        const float left = light_tree_importance(point, normal, fetch_light(pair), left_b);
-        const float right = light_tree_importance(point, normal, fetch_light(pair + 2u), right_b);
+        float left = light_tree_importance(point, normal, fetch_light(pair), left_b);
+        float right = light_tree_importance(point, normal, fetch_light(pair + 2u), right_b);
+        if (LIGHT_SAMPLER_LEARNS) {
+            const vec2 seen = visibility_of_pair(cell, node);
+            left *= seen.x;
+            right *= seen.y;
+        }
         const float sum = left + right;
         // Where neither can bring anything any light will do: probabilities still sum to 1.
         const float p_left = sum > 0.0 ? left / sum : 0.5;
@@ -89,6 +96,7 @@ LightTreeWay light_tree_descend(vec3 point, vec3 normal, float u, uint trail, bo
         digits = worn ? rng_hash(digits) : digits;
         step_of_u = worn ? 1.0 / 16777216.0 : step_of_u;
         child = goes_right ? right_b.w : left_b.w;
+        node = 2u * node + (goes_right ? 1u : 0u);
     }
     way.light = child & LIGHT_TREE_INDEX;
     return way;

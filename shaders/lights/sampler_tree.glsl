@@ -1,6 +1,7 @@
-// Picks a light by what it may bring to the point: lights that are somewhere through the light tree, those
+// Samplers tree and visibility: pick a light by what it may bring to the point, the second one times the
+// visibility that the point's cell learned. Lights that are somewhere through the light tree, those
 // that are nowhere (directional, environment) in proportion to their irradiance. Which of the two groups is
-// decided by what each may bring; either keeps a tenth, for neither estimate knows what is in the way.
+// decided by what each may bring; either keeps a tenth, for these are estimates.
 #ifndef AJAR_SAMPLER_TREE_GLSL
 #define AJAR_SAMPLER_TREE_GLSL
 #include "light_tree.glsl"
@@ -10,10 +11,15 @@ const uint FEATURE_DISTANT_LIGHTS = FEATURE_PUNCTUAL_LIGHTS | FEATURE_ENVIRONMEN
 const float SAMPLER_TREE_LEAST_SHARE = 0.1;
 
 // Probability of the distant lights.
-float sampler_tree_distant_share(vec3 point, vec3 normal) {
+float sampler_tree_distant_share(vec3 point, vec3 normal, uint cell) {
     if (!has_feature(FEATURE_DISTANT_LIGHTS)) return 0.0;
-    const float distant = frame.distant_irradiance;
-    const float near = light_tree_importance_of_all(point, normal);
+    float distant = frame.distant_irradiance;
+    float near = light_tree_importance_of_all(point, normal);
+    if (LIGHT_SAMPLER_LEARNS) {
+        const vec2 seen = visibility_of_pair(cell, 0u);
+        distant *= seen.x;
+        near *= seen.y;
+    }
     const float share = clamp(distant / (distant + near), SAMPLER_TREE_LEAST_SHARE,
                               1.0 - SAMPLER_TREE_LEAST_SHARE);
     const float alone = near > 0.0 ? share : 1.0;
@@ -35,8 +41,14 @@ LightPick sampler_tree_pick_distant(float u) {
     return pick;
 }
 
+// Where there is nothing to look up, the cell is not worked out.
+uint sampler_tree_cell(vec3 point, vec3 normal) {
+    return LIGHT_SAMPLER_LEARNS ? visibility_cell(point, normal) : 0u;
+}
+
 LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
-    const float share = sampler_tree_distant_share(point, normal);
+    const uint cell = sampler_tree_cell(point, normal);
+    const float share = sampler_tree_distant_share(point, normal, cell);
     const bool distant = u < share;
     const float rest = min((distant ? u : u - share) / (distant ? share : 1.0 - share), LIGHT_PICK_BELOW_ONE);
     LightPick pick = LightPick(0u, 0.0, rest);
@@ -45,17 +57,19 @@ LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
         pick.pmf *= share;
     }
     if (frame.tree_nodes != 0u && !distant) {
-        const LightTreeWay way = light_tree_descend(point, normal, rest, 0u, false);
+        const LightTreeWay way = light_tree_descend(point, normal, cell, rest, 0u, false);
         pick = LightPick(way.light, (1.0 - share) * way.pmf, way.u);
     }
     return pick;
 }
 
 float sampler_tree_pmf(vec3 point, vec3 normal, uint light) {
-    const float share = sampler_tree_distant_share(point, normal);
+    const uint cell = sampler_tree_cell(point, normal);
+    const float share = sampler_tree_distant_share(point, normal, cell);
     const uint trail = frame.tree_nodes != 0u ? light_tree_trail(light) : NO_TRAIL;
     float pmf = 0.0;
-    if (trail != NO_TRAIL) pmf = (1.0 - share) * light_tree_descend(point, normal, 0.0, trail, true).pmf;
+    if (trail != NO_TRAIL)
+        pmf = (1.0 - share) * light_tree_descend(point, normal, cell, 0.0, trail, true).pmf;
     if (has_feature(FEATURE_DISTANT_LIGHTS)) {
         const float distant = uintBitsToFloat(fetch_light(light * LIGHT_TEXELS + 3u).w);
         pmf = distant > 0.0 ? share * distant : pmf;

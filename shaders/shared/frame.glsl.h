@@ -3,6 +3,7 @@
 #define AJAR_FRAME_GLSL_H
 #include "dual.glsl.h"
 #include "film.glsl.h"
+#include "light_visibility.glsl.h"
 DUAL_BEGIN
 
 // A table's content when it is read through a pointer instead of a texel buffer.
@@ -34,6 +35,8 @@ struct FrameRecord {
     PixelIndexPtr pixel_order;   // pixel of each ordinal, in Morton order
     AovPixelPtr aovs;            // by ordinal; 0 when no AOV is asked for
     DiagnosticsPtr diagnostics;
+    TableWordPtr visibility;
+    VisibilityCountPtr visibility_counts;
     uint pad_pointer[2];
 
     vec3 camera_origin;          // world, metres
@@ -75,7 +78,7 @@ struct FrameRecord {
     float sample_clamp;          // no channel of a sample is above this
     uint pad;
 };
-DUAL_SIZE(FrameRecord, 296);
+DUAL_SIZE(FrameRecord, 312);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;

@@ -33,7 +33,8 @@ struct ShadowRay {
     vec3 contribution; // radiance added to the path's when unoccluded
     uint home;         // the path's
     uint instance;     // of `leaves`
-    uint pad[3];
+    uint counter;      // where connect counts it while visibility is learned (light_visibility.glsl.h)
+    uint pad[2];
 };
 DUAL_SIZE(ShadowRay, 64);
 

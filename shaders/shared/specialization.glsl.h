@@ -44,6 +44,7 @@ const uint HEURISTIC_BALANCE = 1;
 const uint LIGHT_SAMPLER_POWER = 0;
 const uint LIGHT_SAMPLER_UNIFORM = 1;
 const uint LIGHT_SAMPLER_TREE = 2;
+const uint LIGHT_SAMPLER_VISIBILITY = 3;
 
 DUAL_END
 #endif

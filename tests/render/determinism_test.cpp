@@ -94,6 +94,43 @@ TEST_P(Determinism, WhateverTheTablesAndTheWorkgroups) {
     }
 }
 
+// Light samplers that look at the point, and one that first learns about it in a pass of its own: whatever cuts
+// that pass into pieces.
+class DeterminismOfLightSamplers : public RenderTest, public testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Looking, DeterminismOfLightSamplers, testing::Values("tree", "visibility"),
+                         [](const auto& row) { return std::string(row.param); });
+
+TEST_P(DeterminismOfLightSamplers, WhateverThePoolTheWorkgroupsAndTheTables) {
+    const Scene scene = small_scenes()[7].build(); // every kind of light
+    RenderSettings settings = odd_settings();
+    settings.light_sampler = GetParam();
+    Renderer renderer(device(), scene, {});
+    const Image reference = renderer.render(settings).image;
+    expect_same_bits(reference, renderer.render(settings).image); // what was learned is kept
+    settings.segment_paths = 64;
+    settings.pool_paths = 3000;
+    expect_same_bits(reference, renderer.render(settings).image);
+    gpu::DeviceOptions options = validated();
+    options.force_pointers = true;
+    options.workgroup_size = 32;
+    const gpu::Device other(options);
+    expect_same_bits(reference, render_checked(other, scene, settings).image);
+}
+
+TEST_F(RenderTest, LearningDoesNotDependOnWhichSamplesFollow) {
+    const Scene scene = small_scenes()[5].build();
+    RenderSettings settings = odd_settings();
+    settings.light_sampler = "visibility";
+    settings.samples = 1;
+    settings.first_sample = 5;
+    const Image alone = render(scene, settings);
+    Renderer renderer(device(), scene, {});
+    settings.first_sample = 0;
+    renderer.render(settings);
+    settings.first_sample = 5;
+    expect_same_bits(alone, renderer.render(settings).image);
+}
+
 TEST_P(Determinism, OneRendererRepeatsItself) {
     const Scene scene = GetParam().build();
     Renderer renderer(device(), scene, {});

@@ -58,7 +58,7 @@ class LightFunctions : public GpuTest {
 
         gpu::Bindings bindings(device());
         std::vector<gpu::Buffer> buffers;
-        buffers.reserve(6);
+        buffers.reserve(7);
         const auto upload = [&](std::uint32_t binding, const auto& values) {
             if (values.empty()) return;
             gpu::Buffer& buffer = buffers.emplace_back(device(), values.size() * sizeof(values[0]), "table");
@@ -70,6 +70,15 @@ class LightFunctions : public GpuTest {
         upload(shared::BIND_MATERIALS, material_words);
         upload(shared::BIND_TEXELS, materials.texels);
         upload(shared::BIND_SURFACES, lighting.surfaces);
+        // What was learned may be anything: no probability may depend on its being right.
+        std::vector<glm::uvec4> learned;
+        if (lighting.sampler == shared::LIGHT_SAMPLER_VISIBILITY) {
+            std::mt19937 random(41);
+            learned.resize(shared::VISIBILITY_CELLS * shared::VISIBILITY_CELL_TEXELS);
+            for (glm::uvec4& texel : learned) texel = {random(), random(), random(), random()};
+            frame.scene_radius = lighting.scene_radius;
+        }
+        upload(shared::BIND_VISIBILITY, learned);
         gpu::Buffer frame_buffer(device(), sizeof frame, "frame");
         frame_buffer.write(std::span<const shared::FrameRecord>(&frame, 1));
         bindings.uniform(frame_buffer);

@@ -1,0 +1,58 @@
+// Cells of surface points and what they learned about the light tree's nodes (light_visibility.glsl.h). A cell
+// holds points near each other, as near as they are far from the camera (Binder et al. 2019, "Massively
+// Parallel Path Space Filtering"), that face the same way.
+#ifndef AJAR_LIGHT_VISIBILITY_GLSL
+#define AJAR_LIGHT_VISIBILITY_GLSL
+#include "../core/rng.glsl"
+#include "../core/tables.glsl"
+#include "../shared/light_tree.glsl.h"
+#include "../shared/light_visibility.glsl.h"
+
+// A cell's side in units of the distance from the camera; up to twice that, sides being powers of two.
+const float VISIBILITY_CELL_SIZE = 1.0 / 10.0;
+// Flat surfaces lie at round coordinates: there no cell ends.
+const float VISIBILITY_CELL_OFFSET = 0.381966;
+
+const bool LIGHT_SAMPLER_LEARNS = LIGHT_SAMPLER == LIGHT_SAMPLER_VISIBILITY;
+
+// Which of six directions a normal is nearest to.
+uint visibility_side(vec3 n) {
+    const vec3 a = abs(n);
+    const uint axis = a.x > a.y && a.x > a.z ? 0u : (a.y > a.z ? 1u : 2u);
+    const float along = axis == 0u ? n.x : (axis == 1u ? n.y : n.z);
+    return 2u * axis + (along < 0.0 ? 1u : 0u);
+}
+
+uint visibility_cell(vec3 point, vec3 normal) {
+    const float distance = max(length(point - frame.camera_origin), 1e-3 * frame.scene_radius);
+    const float level = ceil(log2(distance * VISIBILITY_CELL_SIZE));
+    const ivec3 at = ivec3(floor(clamp(point * exp2(-level) + VISIBILITY_CELL_OFFSET, -1e9, 1e9)));
+    uint key = rng_combine(uint(int(level)) * 8u + visibility_side(normal), uint(at.x));
+    key = rng_combine(rng_combine(key, uint(at.y)), uint(at.z));
+    return key & (VISIBILITY_CELLS - 1u);
+}
+
+uvec4 visibility_texel(uint i) {
+    if (TEXEL_BUFFERS != 0u) return texelFetch(visibility_texels, int(i));
+    return frame.visibility.at[i].value;
+}
+
+// Of nodes 2 k and 2 k + 1; 1 below the levels that are learned about.
+vec2 visibility_of_pair(uint cell, uint k) {
+    const bool known = k < VISIBILITY_CLUSTERS;
+    const uint byte = known ? 2u * k : 0u;
+    const uvec4 sixteen = visibility_texel(cell * VISIBILITY_CELL_TEXELS + (byte >> 4));
+    const uvec2 eight = (byte & 8u) != 0u ? sixteen.zw : sixteen.xy;
+    const uint four = (byte & 4u) != 0u ? eight.y : eight.x;
+    const uint two = (byte & 2u) != 0u ? four >> 16 : four;
+    const vec2 seen = vec2(ivec2(uvec2(two, two >> 8) & 255u) + 1) * (1.0 / 256.0);
+    return known ? seen : vec2(1.0);
+}
+
+// The counter of a shadow ray from the cell to a light with that trail (NO_TRAIL: a distant one).
+uint visibility_counter(uint cell, uint trail) {
+    const uint way = bitfieldReverse(trail) >> (32u - VISIBILITY_LEVELS); // first decision first
+    return cell * VISIBILITY_COUNTERS + (trail == NO_TRAIL ? VISIBILITY_CLUSTERS : way);
+}
+
+#endif
