@@ -6,45 +6,72 @@ A scene function fills a Gltf; its docstring is the scene's README.
 import math
 
 from gltf_writer import hdr, through_rgbe
-from shapes import Shape, add, cross, scale, sphere, sub, unit
+from shapes import Shape, add, cross, dot, scale, sphere, sub, unit
 
 GREY = (0.5, 0.5, 0.5)
+
+
+VEACH_EYE, VEACH_TARGET, VEACH_YFOV = (0, 4.5, 15), (0, 1.05, -2), 27
+VEACH_ROUGHNESS, VEACH_RADII = (0.1, 0.2, 0.32, 0.5), (0.035, 0.1, 0.3, 0.85)
+VEACH_LIGHTS_AT, VEACH_HALF_WIDTH, VEACH_HALF_DEPTH = (0, 4, -5.5), 3.9, 0.62
+
+
+def veach_plate(i):
+    """Corners and normal of a plate that mirrors the row of lights into the eye, past the other plates."""
+    middle = (0, 0.6 - 0.32 * i, -2.6 + 1.75 * i)
+    normal = unit(add(unit(sub(VEACH_EYE, middle)), unit(sub(VEACH_LIGHTS_AT, middle))))
+    across, along = (VEACH_HALF_WIDTH, 0, 0), scale(cross(normal, (1, 0, 0)), VEACH_HALF_DEPTH)
+    return [add(middle, add(scale(across, s), scale(along, t)))
+            for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))], normal
+
+
+def veach_rows():
+    """Where each plate begins and ends in the picture, as fractions of its height from the top."""
+    forward = unit(sub(VEACH_TARGET, VEACH_EYE))
+    up = cross((1, 0, 0), forward)
+    rows = []
+    for i in range(len(VEACH_ROUGHNESS)):
+        seen = [sub(corner, VEACH_EYE) for corner in veach_plate(i)[0]]
+        tangents = [dot(v, up) / dot(v, forward) for v in seen]
+        edges = [0.5 - 0.5 * t / math.tan(math.radians(VEACH_YFOV / 2)) for t in tangents]
+        rows.append("%.3f to %.3f" % (min(edges), max(edges)))
+    return ", ".join(rows)
 
 
 def veach_mis(gltf):
     """# Veach's plates
 
-    Four metal plates, from nearly smooth to rough, reflect four spherical lights of the same power and very
-    different size (after the scene of Veach and Guibas 1995, with dimensions of its own). Sampling the BSDF
-    finds the large light in the smooth plate, sampling lights finds the small light in the rough plate, and
-    only the combination is good everywhere.
+    Four metal plates, from nearly smooth at the back to rough in front, reflect four spherical lights of the
+    same power and very different size, from 7 cm to 1.7 m across (after the scene of Veach and Guibas 1995,
+    with dimensions of its own). Sampling the BSDF finds the large light in the smooth plate, sampling lights
+    finds the small light in the rough plate, and only the combination is good everywhere. Each plate has rows
+    of the picture for itself, whatever its size: %s
+    of the height from the top, for the middle half of the columns where the picture is 16:9.
 
-    **Right answer:** the same mean from `--strategy bsdf`, `light` and `mis`; with `mis` no reflection is
-    noisier than the better of the other two. A smooth plate shows each light as a disc, a rough one as a
-    wide streak.
+    **Right answer:** the same mean from `--strategy bsdf`, `light` and `mis`. `light` is noisy where a smooth
+    plate shows the large light, since few points on it lie in the narrow lobe, and clean everywhere on the
+    rough plate. `bsdf` is clean there and noisy where a rough plate shows the small light, and hardly finds
+    what lights floor and wall. With `mis` no plate is much noisier than with the better of the two. A
+    smooth plate shows each light as a disc, a rough one as a wide streak.
     """
-    eye, lights_at = (0, 2.0, 8.0), (0, 3.2, -3.0)
-    gltf.object("floor", Shape().quad([(-9, -1.6, -7), (9, -1.6, -7), (9, -1.6, 7), (-9, -1.6, 7)], eye),
-                gltf.lambert("floor", GREY))
-    gltf.object("back wall", Shape().quad([(-9, -1.6, -7), (9, -1.6, -7), (9, 7, -7), (-9, 7, -7)], eye),
-                gltf.lambert("wall", GREY))
-    for i, roughness in enumerate((0.1, 0.2, 0.35, 0.5)):
-        middle = (0, 1.0 - 0.62 * i, -1.5 + 0.85 * i)
-        # The plate's normal halves the way between eye and lights, so that it mirrors one into the other.
-        normal = unit(add(unit(sub(eye, middle)), unit(sub(lights_at, middle))))
-        across, along = (2.4, 0, 0), scale(cross(normal, (1, 0, 0)), 0.42)
-        corners = [add(middle, add(scale(across, s), scale(along, t)))
-                   for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        gltf.object("plate %d" % (i + 1), Shape().quad(corners, add(middle, normal)),
+    eye = VEACH_EYE
+    floor = [(-14, -1, -9), (14, -1, -9), (14, -1, 12), (-14, -1, 12)]
+    wall = [(-14, -1, -9), (14, -1, -9), (14, 10, -9), (-14, 10, -9)]
+    gltf.object("floor", Shape().quad(floor, eye), gltf.lambert("floor", (0.3, 0.3, 0.3)))
+    gltf.object("back wall", Shape().quad(wall, eye), gltf.lambert("wall", (0.3, 0.3, 0.3)))
+    for i, roughness in enumerate(VEACH_ROUGHNESS):
+        corners, normal = veach_plate(i)
+        gltf.object("plate %d" % (i + 1), Shape().quad(corners, add(corners[0], normal)),
                     gltf.material("plate_%03d" % round(1000 * roughness), (0.8, 0.8, 0.85), metallic=1,
                                   roughness=roughness))
-    for i, radius in enumerate((0.04, 0.11, 0.28, 0.7)):
-        radiance = 2.0 / radius ** 2  # the same power for all
+    for i, radius in enumerate(VEACH_RADII):
+        radiance = 3.5 / radius ** 2  # the same power for all
         tint = ((1.0, 0.45, 0.3), (1.0, 0.9, 0.4), (0.5, 1.0, 0.5), (0.45, 0.6, 1.0))[i]
-        center = add(lights_at, (-2.4 + 1.6 * i, 0, 0))
-        gltf.object("light %d" % (i + 1), sphere(center, radius, 1 if i == 0 else 2),
+        center = add(VEACH_LIGHTS_AT, (-3.75 + 2.5 * i, 0, 0))
+        gltf.object("light %d" % (i + 1), sphere(center, radius, (1, 2, 2, 3)[i]),
                     gltf.emitter("light_%d" % (i + 1), scale(tint, radiance)))
-    gltf.camera(eye, (0, 0.9, -1.3), 46)
+    gltf.camera(eye, VEACH_TARGET, VEACH_YFOV)
+    return veach_rows()
 
 
 def furnace_room(gltf):
