@@ -6,7 +6,8 @@ A scene function fills a Gltf; its docstring is the scene's README.
 import math
 
 from gltf_writer import hdr, through_rgbe
-from shapes import Shape, add, cross, dot, scale, sphere, sub, unit
+from market_kit import Parts
+from shapes import Shape, add, cross, dot, lathe, scale, sphere, sub, unit
 
 GREY = (0.5, 0.5, 0.5)
 
@@ -89,37 +90,64 @@ def furnace_room(gltf):
     gltf.camera((0.2, 0.1, 0.7), (-0.3, -0.2, -1), 60)
 
 
+def wall_with_doorway(shape, z, facing, left, right, head):
+    for x0, x1, y0 in ((-2, left, 0), (right, 2, 0), (left, right, head)):
+        shape.quad([(x0, y0, z), (x1, y0, z), (x1, 2.5, z), (x0, 2.5, z)], facing)
+
+
+def table(gltf):
+    """Where Veach's teapots stood: a vase of brass, a ball of porcelain and a matte bowl."""
+    boards = Parts()
+    boards.box("table", (-1.5, 0.66, 0.95), (-0.1, 0.7, 1.6))
+    for x in (-1.45, -0.21):
+        for z in (1.0, 1.49):
+            boards.box("table", (x, 0, z), (x + 0.06, 0.66, z + 0.06))
+    gltf.object("table", boards.shapes["table"], gltf.lambert("table", (0.35, 0.2, 0.1)))
+    vase = [(0.09, 0), (0.14, 0.05), (0.18, 0.13), (0.185, 0.2), (0.16, 0.28), (0.1, 0.36), (0.07, 0.42),
+            (0.065, 0.47), (0.075, 0.52), (0.1, 0.55)]
+    brass = gltf.material("brass", (0.9, 0.68, 0.32), metallic=1, roughness=0.25)
+    gltf.object("vase", lathe(vase, 32), brass, translation=[-1.2, 0.7, 1.25])
+    porcelain = gltf.material("porcelain", (0.75, 0.75, 0.78), roughness=0.15)
+    gltf.object("ball", sphere((0, 0, 0), 0.18, 3), porcelain, translation=[-0.75, 0.88, 1.3])
+    bowl = [(0.07, 0), (0.075, 0.03), (0.13, 0.07), (0.18, 0.13), (0.205, 0.21), (0.19, 0.21), (0.165, 0.13),
+            (0.12, 0.085), (0, 0.06)]
+    glaze = gltf.lambert("bowl", (0.2, 0.38, 0.5))
+    gltf.object("bowl", lathe(bowl, 32), glaze, translation=[-0.36, 0.7, 1.2])
+
+
 def ajar_door(gltf):
     """# Ajar door
 
     The scene this renderer is named after (Veach 1997, rebuilt from nothing): a room without a lamp, lit
-    only by what comes through a door that stands ajar to a bright room behind. Direct lighting finds
-    nothing here.
+    only by what comes through a door that stands ajar to a bright room behind. The lamp is in that room's
+    far corner and sees nothing of the front room but what lies in line with the gap.
 
-    **Right answer:** with `--max-bounces 0` the front room is black but for what the lamp sees through the
-    gap; with bounces a wedge of light falls through the gap, and everything else is lit from it by further
-    reflection. Hard: most light needs three bounces or more.
+    **Right answer:** with `--max-bounces 0` the picture is black but for the gaps beside the door, where the
+    back room shows, and thin slivers of light on frame and walls. With bounces light falls through the gap
+    onto wall, floor and ceiling beside it, and everything else is lit from there by further reflection.
+    Hard: no light sampler can help where hardly any point sees the lamp, so all of them are equally noisy,
+    and `bsdf` is worse, since it must hit the lamp itself.
     """
     white = gltf.lambert("white", (0.75, 0.75, 0.75))
     left, right, head = 0.3, 1.2, 2.1  # the doorway in the wall z = 0
     middle_front, middle_back = (0, 1.25, 2), (0, 1.25, -1.5)
-    front = Shape().room((-2, 0, 0.05), (2, 2.5, 4), without=("-z",))
+    front = Shape().room((-2, 0, 0.05), (2, 2.5, 4), without=("-z", "-y"))
     back = Shape().room((-2, 0, -3), (2, 2.5, -0.05), without=("+z", "+y"))
+    floor = Shape().quad([(-2, 0, 0.05), (2, 0, 0.05), (2, 0, 4), (-2, 0, 4)], middle_front)
     lamp = [(-1.6, 2.5, -2.4), (-0.6, 2.5, -2.4), (-0.6, 2.5, -1.4), (-1.6, 2.5, -1.4)]
     ceiling = [(-2, 2.5, -3), (2, 2.5, -3), (2, 2.5, -0.05), (-2, 2.5, -0.05)]
     back.frame(ceiling, lamp, middle_back)
-    for z, facing, room in ((0.05, middle_front, front), (-0.05, middle_back, back)):
-        room.quad([(-2, 0, z), (left, 0, z), (left, 2.5, z), (-2, 2.5, z)], facing)
-        room.quad([(right, 0, z), (2, 0, z), (2, 2.5, z), (right, 2.5, z)], facing)
-        room.quad([(left, head, z), (right, head, z), (right, 2.5, z), (left, 2.5, z)], facing)
+    wall_with_doorway(front, 0.05, middle_front, left, right, head)
+    wall_with_doorway(back, -0.05, middle_back, left, right, head)
     opening = (0.75, 1, 0)
     for corners in ([(left, 0), (right, 0)], [(left, 0), (left, head)], [(right, 0), (right, head)],
                     [(left, head), (right, head)]):
         (xa, ya), (xb, yb) = corners
         front.quad([(xa, ya, -0.05), (xb, yb, -0.05), (xb, yb, 0.05), (xa, ya, 0.05)], opening)
     gltf.object("front room", front, white)
+    gltf.object("floor", floor, gltf.lambert("floor", (0.5, 0.4, 0.3)))
     gltf.object("back room", back, gltf.lambert("back_room", (0.8, 0.7, 0.55)))
-    gltf.object("lamp", Shape().quad(lamp, middle_back), gltf.emitter("lamp", (300, 270, 210)))
+    gltf.object("lamp", Shape().quad(lamp, middle_back), gltf.emitter("lamp", (520, 450, 340)))
     # The door hangs at the doorway's right side, opened 20 degrees into the front room.
     angle = math.radians(20)
     out, thick = (-math.cos(angle), 0, math.sin(angle)), (-0.04 * math.sin(angle), 0, -0.04 * math.cos(angle))
@@ -127,10 +155,8 @@ def ajar_door(gltf):
     free = add(hinge, scale(out, width))
     door = Shape().prism([hinge, free, add(free, thick), add(hinge, thick)], head - 0.03)
     gltf.object("door", door, gltf.lambert("door", (0.45, 0.25, 0.12)))
-    table = Shape().prism([(-1.4, 0, 1.2), (-1.4, 0, 1.9), (-0.7, 0, 1.9), (-0.7, 0, 1.2)], 0.6)
-    gltf.object("pedestal", table, gltf.lambert("pedestal", (0.3, 0.45, 0.6)))
-    gltf.object("ball", sphere((-1.05, 0.85, 1.55), 0.25, 3), white)
-    gltf.camera((-0.2, 1.4, 3.8), (0.1, 1.1, 0), 60)
+    table(gltf)
+    gltf.camera((-0.3, 1.45, 3.7), (-0.05, 1.1, 0), 52)
 
 
 def sky(direction):

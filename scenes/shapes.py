@@ -111,3 +111,20 @@ def sphere(center, radius, subdivisions):
         outward = dot(cross(sub(points[b], points[a]), sub(points[c], points[a])), points[a]) > 0
         shape.triangles.append((a, b, c) if outward else (a, c, b))
     return shape
+
+
+def lathe(profile, segments):
+    """A surface of revolution about +Y, smooth: the profile is points (radius, height) from the bottom up."""
+    shape = Shape()
+    for k, (radius, height) in enumerate(profile):
+        below, above = profile[max(k - 1, 0)], profile[min(k + 1, len(profile) - 1)]
+        rise, spread = above[1] - below[1], above[0] - below[0]
+        for s in range(segments):
+            cosine, sine = math.cos(2 * math.pi * s / segments), math.sin(2 * math.pi * s / segments)
+            shape.positions.append((radius * cosine, height, radius * sine))
+            shape.normals.append(unit((rise * cosine, -spread, rise * sine)))
+    for k in range(len(profile) - 1):
+        for s in range(segments):
+            a, b = k * segments + s, k * segments + (s + 1) % segments
+            shape.triangles += [(a, a + segments, b + segments), (a, b + segments, b)]
+    return shape
