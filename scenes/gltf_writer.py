@@ -98,13 +98,13 @@ class Gltf:
         return {"attributes": accessors,
                 "indices": self._accessor(shape.triangles, "SCALAR", UINT16, INDEX_TARGET)}
 
-    def mesh(self, name, *parts):
+    def mesh(self, name, *parts, **more):
         """parts: pairs of (Shape or stored attributes, material)."""
         primitives = []
         for shape, material in parts:
             stored = shape if isinstance(shape, dict) else self.attributes(shape)
             primitives.append({**stored, "material": material})
-        return self._add("meshes", {"name": name, "primitives": primitives})
+        return self._add("meshes", {"name": name, "primitives": primitives, **more})
 
     def node(self, name, **content):
         index = self._add("nodes", {"name": name, **content})
@@ -118,6 +118,15 @@ class Gltf:
         camera = self._add("cameras", {"name": name, "type": "perspective", "perspective": {
             "yfov": round(math.radians(yfov_degrees), 6), "znear": 0.01}})
         return self.node(name, camera=camera, matrix=look_at(eye, target))
+
+    def light(self, name, kind, place, direction, color, intensity, **more):
+        """KHR_lights_punctual; intensity in W/sr, of a directional light in W/m^2."""
+        name_used = self._use_extension("KHR_lights_punctual")
+        lights = self.json.setdefault("extensions", {}).setdefault(name_used, {"lights": []})["lights"]
+        lights.append({"name": name, "type": kind, "color": rounded(color), "intensity": intensity, **more})
+        toward = tuple(p + d for p, d in zip(place, direction))
+        return self.node(name, matrix=look_at(place, toward),
+                         extensions={name_used: {"light": len(lights) - 1}})
 
     def write(self, folder, readme):
         os.makedirs(folder, exist_ok=True)
