@@ -12,14 +12,16 @@ import sys
 sys.dont_write_bytecode = True  # leave no __pycache__ in the tree
 from cornell_scenes import cornell_box, glossy_and_specular  # noqa: E402
 from gltf_writer import Gltf  # noqa: E402
-from light_scenes import ajar_door, environment_only, furnace_room, veach_mis  # noqa: E402
+import light_scenes as light  # noqa: E402
 import market_scenes as market  # noqa: E402
 from sphere_scene import sphere_lights  # noqa: E402
 from textured_scene import textured  # noqa: E402
 
-SCENES = {"cornell-box": cornell_box, "glossy-and-specular": glossy_and_specular, "veach-mis": veach_mis,
-          "environment-only": environment_only, "furnace-room": furnace_room, "ajar-door": ajar_door,
-          "many-lights-100": market.many_lights_100, "many-lights-10000": market.many_lights_10000,
+SCENES = {"cornell-box": cornell_box, "glossy-and-specular": glossy_and_specular,
+          "veach-mis": light.veach_mis, "environment-only": light.environment_only,
+          "furnace-room": light.furnace_room, "furnace-room-mirror": light.furnace_room_mirror,
+          "ajar-door": light.ajar_door, "many-lights-100": market.many_lights_100,
+          "many-lights-10000": market.many_lights_10000,
           "many-lights-100000": market.many_lights_100000,
           "many-lights-walled-10000": market.many_lights_walled_10000,
           "many-lights-walled-100000": market.many_lights_walled_100000, "sphere-lights": sphere_lights,

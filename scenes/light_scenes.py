@@ -90,6 +90,25 @@ def furnace_room(gltf):
     gltf.camera((0.2, 0.1, 0.7), (-0.3, -0.2, -1), 60)
 
 
+def furnace_room_mirror(gltf):
+    """# Furnace room with a mirror
+
+    A closed cube of 2 m whose walls reflect the fraction a = (0.2, 0.35, 0.5) of the light (Lambertian) and
+    emit e = (1, 1, 1) W/(m^2 sr), and in it a ball that is a perfect white mirror.
+
+    **Right answer:** e / (1 - a) = (1.25, 1.5385, 2) in every pixel: the ball cannot be seen, as what it
+    reflects is as bright everywhere. With `--max-bounces 30` what is cut off is less than a billionth. An
+    outline or a stain is energy lost or made at mirrors, or counted twice when one follows another surface.
+    There is no such room with rough metal: the model of glTF 2.0 lets light between microfacets get lost, so
+    the answer is not a formula. Nor with dielectric gloss, as its reflectance depends on the angle.
+    """
+    wall = gltf.material("furnace_wall", (0.2, 0.35, 0.5), specular=0, emission=(1, 1, 1))
+    gltf.object("room", Shape().room((-1, -1, -1), (1, 1, 1)), wall)
+    mirror = gltf.material("mirror", (1, 1, 1), metallic=1, roughness=0)
+    gltf.object("ball", sphere((-0.1, -0.2, -0.3), 0.5, 3), mirror)
+    gltf.camera((0.2, 0.1, 0.8), (-0.1, -0.15, -1), 60)
+
+
 def wall_with_doorway(shape, z, facing, left, right, head):
     for x0, x1, y0 in ((-2, left, 0), (right, 2, 0), (left, right, head)):
         shape.quad([(x0, y0, z), (x1, y0, z), (x1, 2.5, z), (x0, 2.5, z)], facing)
