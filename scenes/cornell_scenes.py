@@ -62,8 +62,8 @@ def glossy_and_specular(gltf):
     the mirror throws onto the walls is a caustic.
 
     **Right answer:** the mirror sphere shows the open front as black and the light as flat (17, 12, 4)
-    times the metal's reflectance; all estimators that can see a mirror agree. Sampling lights only
-    (`--strategy light`) renders the mirror black.
+    times the metal's reflectance; all estimators agree, also `--strategy light`: no shadow ray finds a light
+    in a mirror, so there the reflected ray counts it. Only `--naive-sampling cosine` leaves the mirror black.
     """
     cornell_room(gltf)
     ball = sphere((0, 0, 0), 0.09, 4)
