@@ -133,7 +133,8 @@ class Gltf:
         self.json["buffers"] = [{"uri": self.name + ".bin", "byteLength": len(self.bytes)}]
         if self.extensions:
             self.json["extensionsUsed"] = sorted(self.extensions)
-        text = json.dumps(self.json, indent=1, sort_keys=True) + "\n"
+        indent = 1 if len(self.json["nodes"]) < 500 else None  # small files are for reading, too
+        text = json.dumps(self.json, indent=indent, sort_keys=True) + "\n"
         files = {self.name + ".gltf": text.encode(), self.name + ".bin": bytes(self.bytes),
                  "README.md": readme.encode(), **self.images}
         for file_name, data in files.items():
