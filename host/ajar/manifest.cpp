@@ -50,6 +50,8 @@ Json image_settings(const Manifest& m) {
             {"heuristic", s.heuristic},
             {"light_sampler", s.light_sampler},
             {"light_rays", s.light_rays},
+            {"sampler", s.sampler},
+            {"sequence_samples", s.sequence_samples},
             {"naive_sampling", s.naive_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},

@@ -162,12 +162,18 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
     choice("--light-sampler", s.light_sampler, "How a light is picked", light_samplers());
+    choice("--sampler", s.sampler, "Random numbers", samplers());
     choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
     app.add_option("--clamp", s.clamp,
                    "No channel of a sample is above it; darkens the image, so it is named as biased "
                    "(default: none)")
         ->type_name("X")
         ->check(number(0, HUGE_NUMBER))
+        ->group(group);
+    app.add_option("--sequence-samples", s.sequence_samples,
+                   "Sampler blue-noise: samples of all runs that make one picture (default: --samples)")
+        ->type_name("N")
+        ->check(count(1))
         ->group(group);
     app.add_option("--ao-distance", s.ao_distance,
                    "Reach of integrator ao (default: a tenth of the scene's diagonal)")

@@ -56,6 +56,13 @@ constexpr ConstantRow LIGHT_SAMPLERS[] = {
      shared::LIGHT_SAMPLER_VISIBILITY},
 };
 
+constexpr ConstantRow SAMPLERS[] = {
+    {{"sobol", "scrambled Sobol points: each pixel's samples spread evenly"}, shared::SAMPLER_SOBOL},
+    {{"blue-noise", "and neighbours' too, so that errors look like fine grain (for few samples)"},
+     shared::SAMPLER_BLUE_NOISE},
+    {{"independent", "plain random numbers: the baseline"}, shared::SAMPLER_INDEPENDENT},
+};
+
 constexpr ConstantRow NAIVE_SAMPLINGS[] = {
     {{"bsdf", "as the surface scatters"}, shared::NAIVE_BSDF},
     {{"cosine", "by the cosine around the normal: mirrors stay black"}, shared::NAIVE_COSINE},
@@ -78,6 +85,7 @@ constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
 constexpr auto HEURISTIC_CHOICES = choices_of(HEURISTICS);
 constexpr auto LIGHT_RAY_CHOICES = choices_of(LIGHT_RAYS);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
+constexpr auto SAMPLER_CHOICES = choices_of(SAMPLERS);
 constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
 
@@ -98,6 +106,7 @@ std::span<const Choice> strategies() { return STRATEGY_CHOICES; }
 std::span<const Choice> heuristics() { return HEURISTIC_CHOICES; }
 std::span<const Choice> light_ray_choices() { return LIGHT_RAY_CHOICES; }
 std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
+std::span<const Choice> samplers() { return SAMPLER_CHOICES; }
 std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
 std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
 
@@ -115,6 +124,9 @@ std::uint32_t find_light_rays(std::string_view name) {
 }
 std::uint32_t find_light_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(LIGHT_SAMPLERS), "light sampler", name).constant;
+}
+std::uint32_t find_sampler(std::string_view name) {
+    return find(std::span<const ConstantRow>(SAMPLERS), "sampler", name).constant;
 }
 std::uint32_t find_naive_sampling(std::string_view name) {
     return find(std::span<const ConstantRow>(NAIVE_SAMPLINGS), "naive sampling", name).constant;

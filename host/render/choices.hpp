@@ -13,6 +13,7 @@ std::uint32_t find_strategy(std::string_view name);       // STRATEGY_*
 std::uint32_t find_heuristic(std::string_view name);      // HEURISTIC_*
 std::uint32_t find_light_rays(std::string_view name);     // SHADE_WHOLE: to one; SHADE_LIGHT: to all
 std::uint32_t find_light_sampler(std::string_view name);  // LIGHT_SAMPLER_*
+std::uint32_t find_sampler(std::string_view name);        // SAMPLER_*
 std::uint32_t find_naive_sampling(std::string_view name); // NAIVE_*
 
 } // namespace ajar

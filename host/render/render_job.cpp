@@ -3,6 +3,7 @@
 #include "base/clock.hpp"
 #include "render/camera.hpp"
 #include "render/choices.hpp"
+#include "render/sample_sequence.hpp"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <bit>
@@ -22,6 +23,7 @@ RenderSettings resolved(RenderSettings settings, const GpuScene& scene) {
         settings.filter_radius = settings.filter == PixelFilter::box ? 0.5f : 1.5f;
     if (settings.integrator == "direct") settings.max_bounces = 0;
     if (!(settings.ao_distance > 0)) settings.ao_distance = 0.2f * scene.frame().scene_radius;
+    settings.sequence_samples = sequence_samples(settings);
     return settings;
 }
 
@@ -55,7 +57,7 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
     pool_.bind(bindings_);
     gpu_scene.bind(bindings_);
     if (visibility_ != nullptr) visibility_->bind(bindings_);
-    write_frame(settings_.seed);
+    write_frame(settings_.seed, settings_.sequence_samples);
     bindings_.uniform(frame_buffer_);
 }
 
@@ -72,7 +74,8 @@ gpu::Specialization RenderJob::specialization() const {
             {SPEC_STACK_REGISTERS, gpu_scene_.stack_registers()},
             {SPEC_STRATEGY, find_strategy(settings_.strategy)},
             {SPEC_HEURISTIC, find_heuristic(settings_.heuristic)},
-            {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)}};
+            {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)},
+            {SPEC_SAMPLER, find_sampler(settings_.sampler)}};
 }
 
 void RenderJob::add_steps() {
@@ -87,7 +90,7 @@ void RenderJob::add_steps() {
     });
 }
 
-void RenderJob::write_frame(std::uint32_t seed) {
+void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) {
     FrameRecord frame = gpu_scene_.frame();
     place_camera(camera_, settings_.width, settings_.height, frame);
     frame.pixel_order.address = film_.pixel_order().address();
@@ -97,6 +100,7 @@ void RenderJob::write_frame(std::uint32_t seed) {
     frame.max_bounces = settings_.max_bounces;
     frame.rr_depth = settings_.rr_depth;
     frame.filter_radius = settings_.filter_radius;
+    frame.sequence_log2 = static_cast<std::uint32_t>(std::countr_zero(std::max(sequence_samples, 1u)));
     frame.ao_distance = settings_.ao_distance;
     frame.sample_clamp = settings_.clamp > 0 ? settings_.clamp : std::numeric_limits<float>::max();
     if (visibility_ != nullptr) visibility_->describe(frame);
@@ -114,7 +118,7 @@ bool RenderJob::learn(const ProgressSink& progress) {
     const std::uint32_t samples = std::bit_floor(std::max(PATHS / film_.pixel_count(), 1u));
     const std::uint32_t per_pass =
         std::min(samples, samples_per_pass(pool_, std::min(film_.chunk_pixels(), film_.pixel_count())));
-    write_frame(settings_.seed ^ OTHER_SEED);
+    write_frame(settings_.seed ^ OTHER_SEED, samples);
     PassRunner runner(commands_, steps.list(), settings_.slice_seconds);
     for (std::uint32_t done = 0; done < samples && steps.list().size() > 1; done += per_pass) {
         const auto keep_going = [&] {
@@ -124,7 +128,7 @@ bool RenderJob::learn(const ProgressSink& progress) {
     }
     pool_.clear_totals();
     visibility_->freeze();
-    write_frame(settings_.seed);
+    write_frame(settings_.seed, settings_.sequence_samples);
     visibility_->seconds = seconds_since(start);
     return true;
 }

@@ -27,7 +27,7 @@ class RenderJob {
   private:
     gpu::Specialization specialization() const;
     void add_steps();
-    void write_frame(std::uint32_t seed);
+    void write_frame(std::uint32_t seed, std::uint32_t sequence_samples);
     bool learn(const ProgressSink& progress);
     bool run_samples(PassRunner& runner, std::uint32_t first_sample, std::uint32_t count,
                      const std::function<bool()>& keep_going);

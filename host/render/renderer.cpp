@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "render/choices.hpp"
 #include "render/render_job.hpp"
+#include "render/sample_sequence.hpp"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ void check(const RenderSettings& s) {
     if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
         throw Error("samples: first sample and count go beyond 2^32");
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
+    sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
 }
@@ -59,7 +61,7 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
 LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings) {
     if (find_light_sampler(settings.light_sampler) != shared::LIGHT_SAMPLER_VISIBILITY) return nullptr;
     RenderSettings wanted = settings;
-    wanted.samples = wanted.first_sample = 0;
+    wanted.samples = wanted.first_sample = wanted.sequence_samples = 0;
     wanted.time_limit = 0;
     if (!visibility || !visibility->is_frozen() || wanted != learned_with) {
         visibility.reset();

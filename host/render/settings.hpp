@@ -21,6 +21,10 @@ struct RenderSettings {
     std::string heuristic = "power";     // a row of heuristics(); strategy mis
     std::string light_sampler = "power"; // a row of light_samplers()
     std::string light_rays = "one";      // a row of light_ray_choices()
+    std::string sampler = "sobol";       // a row of samplers()
+    // Sampler blue-noise: samples per pixel of all runs that are to be one picture, rounded up to a power of
+    // two; 0: of this run alone, first_sample + samples. Others do not look at it.
+    std::uint32_t sequence_samples = 0;
     std::string naive_sampling = "bsdf"; // a row of naive_samplings(); integrator naive
     std::string camera;                  // name or index; empty: the scene's
     PixelFilter filter = PixelFilter::box;

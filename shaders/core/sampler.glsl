@@ -1,64 +1,47 @@
-// Owen-scrambled Sobol points as a pure function of (seed, pixel, sample, dimension), after Burley 2020,
-// "Practical Hash-based Owen Scrambling": each pair of dimensions takes the first two Sobol dimensions, its
-// own nested shuffle of the sample index and its own nested scrambles. Scrambling hash: Laine and Karras 2011
-// in Vegdahl's form and constants ("Building a Better LK Hash", 2021). Any 2^m-aligned block of samples of a
-// pair is a (0, m, 2)-net.
+// The switch over samplers (SPEC_SAMPLER): where a path's random numbers come from. Each is a pure function
+// of (seed, pixel, sample, dimension), so that nothing is stored and no order matters.
 #ifndef AJAR_SAMPLER_GLSL
 #define AJAR_SAMPLER_GLSL
 #include "../shared/dimensions.glsl.h"
 #include "rng.glsl"
+#include "sampler_blue_noise.glsl"
+#include "sampler_sobol.glsl"
+#include "variants.glsl"
 
 struct Sampler {
-    uint index; // of the sample, its bits reversed
-    uint seed;  // of the pixel
+    uint index; // Sobol: of the sample in its sequence, its bits reversed
+    uint seed;  // of the sequence
 };
 
-// `pixel`: any number that tells pixels apart, the same whatever part of the picture is rendered (x | y <<
-// 16).
-Sampler sampler_begin(uint seed, uint pixel, uint sample_index) {
-    return Sampler(bitfieldReverse(sample_index), rng_combine(seed, pixel));
+// `ordinal`: of the pixel along the film's Z-order curve. `samples_log2`: the blue-noise sequence has
+// 2^samples_log2 samples a pixel, at most 2^31, of which sample_index is one; others have no such bound.
+Sampler sampler_begin(uint seed, uint ordinal, uint sample_index, uint samples_log2) {
+    if (SAMPLER == SAMPLER_INDEPENDENT)
+        return Sampler(0u, rng_combine(rng_combine(seed, ordinal), sample_index));
+    if (SAMPLER == SAMPLER_BLUE_NOISE) {
+        const uvec2 index_seed = sampler_blue_noise_index(seed, ordinal, sample_index, samples_log2);
+        return Sampler(index_seed.x, index_seed.y);
+    }
+    return Sampler(bitfieldReverse(sample_index), rng_combine(seed, ordinal));
 }
 
 // First dimension of a bounce's block; add DIM_*.
 uint sampler_bounce(uint bounce) { return DIM_BOUNCE_FIRST + bounce * DIM_PER_BOUNCE; }
 
-// Flips each bit by a hash of the seed and the bits below it: Owen's scramble of the reversed number.
-uint sampler_scramble(uint x, uint seed) {
-    x ^= x * 0x3d20adeau;
-    x += seed;
-    x *= (seed >> 16) | 1u;
-    x ^= x * 0x05526c56u;
-    return x ^ (x * 0x53a22864u);
-}
+// Whose sequence and which dimension: distinct hashes in all likelihood.
+uint sampler_key(Sampler s, uint dimension) { return rng_hash(s.seed + dimension * 0x9e3779b9u); }
 
-// The second Sobol dimension of index j, its bits reversed. Its matrix is Pascal's triangle modulo 2, where
-// entry (k, r) is 1 when r's bits are a subset of k's (Lucas): so bit r is the sum of all j's bits k whose
-// number contains r, a sum over supersets that one step for each bit of the number makes.
-uint sampler_sobol1_reversed(uint j) {
-    j ^= (j >> 1) & 0x55555555u;
-    j ^= (j >> 2) & 0x33333333u;
-    j ^= (j >> 4) & 0x0f0f0f0fu;
-    j ^= (j >> 8) & 0x00ff00ffu;
-    return j ^ (j >> 16);
-}
-
-// The first Sobol dimension of j is j reversed. All steps are laid out so that three reversals are left in a
-// pair.
 float sampler_1d(Sampler s, uint dimension) {
-    const uint key = rng_hash(s.seed + dimension * 0x9e3779b9u);
-    const uint j = bitfieldReverse(sampler_scramble(s.index, key));
-    return rng_to_float(bitfieldReverse(sampler_scramble(j, rng_hash(key))));
+    const uint key = sampler_key(s, dimension);
+    return SAMPLER == SAMPLER_INDEPENDENT ? rng_to_float(key) : sampler_sobol_1d(s.index, key);
 }
 
-// `dimension` and the next, stratified together.
+// `dimension` and the next, stratified together unless the sampler is independent.
 vec2 sampler_2d(Sampler s, uint dimension) {
-    const uint key = rng_hash(s.seed + dimension * 0x9e3779b9u);
-    const uint key_x = rng_hash(key);
-    const uint key_y = rng_hash(key_x);
-    const uint j = bitfieldReverse(sampler_scramble(s.index, key));
-    const uint x = bitfieldReverse(sampler_scramble(j, key_x));
-    const uint y = bitfieldReverse(sampler_scramble(sampler_sobol1_reversed(j), key_y));
-    return vec2(rng_to_float(x), rng_to_float(y));
+    const uint key = sampler_key(s, dimension);
+    if (SAMPLER == SAMPLER_INDEPENDENT)
+        return vec2(rng_to_float(key), rng_to_float(sampler_key(s, dimension + 1u)));
+    return sampler_sobol_2d(s.index, key);
 }
 
 #endif

@@ -34,12 +34,13 @@ PathOwner segment_owner(SegmentArgs args, uint home) {
 // The points of a path. Its pixel enters by ordinal, which needs no look-up.
 Sampler segment_sampler(SegmentArgs args, uint home) {
     PathOwner owner = segment_owner(args, home);
-    return sampler_begin(frame.seed, owner.ordinal, owner.sample_index);
+    return sampler_begin(frame.seed, owner.ordinal, owner.sample_index, frame.sequence_log2);
 }
 
 // Random bits of the path's next ray, for stochastic alpha. A shadow ray's differ from the extension's.
 uint segment_salt(SegmentArgs args, uint home, bool shadow) {
-    uint path = rng_combine(segment_sampler(args, home).seed, segment_owner(args, home).sample_index);
+    PathOwner owner = segment_owner(args, home);
+    uint path = rng_combine(rng_combine(frame.seed, owner.ordinal), owner.sample_index);
     return rng_combine(path, 2u * args.bounce + (shadow ? 1u : 0u));
 }
 

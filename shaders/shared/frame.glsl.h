@@ -76,7 +76,7 @@ struct FrameRecord {
     uint tree_nodes;             // 0: no light is somewhere
     uint trails_first;           // texel in BIND_LIGHTS: trails, four a texel
     float sample_clamp;          // no channel of a sample is above this
-    uint pad;
+    uint sequence_log2;          // blue noise: the sequence has 2^sequence_log2 samples a pixel
 };
 DUAL_SIZE(FrameRecord, 312);
 

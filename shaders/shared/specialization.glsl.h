@@ -17,6 +17,7 @@ const uint SPEC_PATH_TEXELS = 7;
 // Groups of a traversal's stack that are in registers; 0: it is in memory
 const uint SPEC_STACK_REGISTERS = 8;
 const uint SPEC_HEURISTIC = 10; // HEURISTIC_*: how STRATEGY_MIS weighs its two samplings
+const uint SPEC_SAMPLER = 9;        // SAMPLER_*: where random numbers come from
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy
 const uint FEATURE_ALPHA = 1u << 1;           // some triangles need an alpha or facing test when hit
@@ -45,6 +46,10 @@ const uint LIGHT_SAMPLER_POWER = 0;
 const uint LIGHT_SAMPLER_UNIFORM = 1;
 const uint LIGHT_SAMPLER_TREE = 2;
 const uint LIGHT_SAMPLER_VISIBILITY = 3;
+
+const uint SAMPLER_SOBOL = 0;
+const uint SAMPLER_INDEPENDENT = 1;
+const uint SAMPLER_BLUE_NOISE = 2;
 
 DUAL_END
 #endif

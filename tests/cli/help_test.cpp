@@ -64,6 +64,7 @@ TEST(Help, ListsEveryRowOfEveryTable) {
     expect_rows(integrators());
     expect_rows(strategies());
     expect_rows(light_samplers());
+    expect_rows(samplers());
     expect_rows(naive_samplings());
     expect_rows(pixel_filters());
     expect_rows(tonemap_operators());
@@ -88,8 +89,8 @@ TEST(Usage, AMissingSceneIsAnError) { expect_usage_error({"render", "-o", "x.png
 TEST(Usage, AMissingOutputIsAnError) { expect_usage_error({"render", scene_path("cornell-box")}, "-o FILE"); }
 
 TEST(Usage, NamesOutsideTheTablesAreErrorsThatListThem) {
-    for (const char* option :
-         {"--integrator", "--strategy", "--light-sampler", "--naive-sampling", "--filter", "--tonemap"})
+    for (const char* option : {"--integrator", "--strategy", "--light-sampler", "--sampler",
+                               "--naive-sampling", "--filter", "--tonemap"})
         expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", option, "nonsense"},
                            "nonsense not in {");
     expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--integrator", "nonsense"},

@@ -3,6 +3,7 @@
 #include "render_test.hpp"
 #include "small_scenes.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <stdlib.h>
 
@@ -44,35 +45,61 @@ void expect_same_bits(const Image& a, const Image& b) {
     }
 }
 
-class Determinism : public RenderTest, public testing::WithParamInterface<SmallScene> {
+struct SampledScene {
+    SmallScene scene;
+    std::string sampler;
+};
+
+void PrintTo(const SampledScene& sampled, std::ostream* out) {
+    *out << sampled.scene.name << " by " << sampled.sampler;
+}
+
+class Determinism : public RenderTest, public testing::WithParamInterface<SampledScene> {
   protected:
+    static Scene build() { return GetParam().scene.build(); }
+    static RenderSettings sampled_settings() {
+        RenderSettings settings = odd_settings();
+        settings.sampler = GetParam().sampler;
+        return settings;
+    }
     static Image render_on(const gpu::DeviceOptions& options, const Scene& scene) {
         const gpu::Device other(options);
-        return render_checked(other, scene, odd_settings()).image;
+        return render_checked(other, scene, sampled_settings()).image;
     }
 };
-// Between them: every kind of surface, texture and light but a mirror's; Cards toss coins along rays.
-INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
-                         testing::Values(small_scenes()[1], small_scenes()[3], small_scenes()[4],
-                                         small_scenes()[6]),
-                         [](const auto& row) { return std::string(row.param.name); });
+// Between them: every kind of surface, texture and light but a mirror's; Cards toss coins along rays. One of
+// them with every sampler.
+std::vector<SampledScene> sampled_scenes() {
+    std::vector<SampledScene> all;
+    for (const std::size_t i : {1u, 3u, 4u, 6u}) all.push_back({small_scenes()[i], RenderSettings().sampler});
+    for (const Choice& row : samplers())
+        if (row.name != RenderSettings().sampler) all.push_back({small_scenes()[1], row.name});
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(sampled_scenes()), [](const auto& row) {
+    std::string name = row.param.scene.name;
+    if (row.param.sampler != RenderSettings().sampler) name += "_" + row.param.sampler;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
 
 TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
-    const Scene scene = GetParam().build();
-    const Image reference = render(scene, odd_settings());
+    const Scene scene = build();
+    const Image reference = render(scene, sampled_settings());
     struct Choice {
         std::uint32_t segment, pool;
     };
     // A pool of one segment, one that the picture does not fill evenly, and one that holds everything.
     for (const auto& [segment, pool] :
          {Choice{64, 1}, Choice{64, 3000}, Choice{256, 1u << 16}, Choice{1024, 3000}}) {
-        RenderSettings settings = odd_settings();
+        RenderSettings settings = sampled_settings();
         settings.segment_paths = segment;
         settings.pool_paths = pool;
         SCOPED_TRACE(testing::Message() << "segments of " << segment << ", pool of " << pool);
         expect_same_bits(reference, render(scene, settings));
     }
-    RenderSettings settings = odd_settings();
+    RenderSettings settings = sampled_settings();
     settings.slice_seconds = 1e-6; // as short as slices get
     settings.pool_paths = 3000;
     expect_same_bits(reference, render(scene, settings));
@@ -81,8 +108,8 @@ TEST_P(Determinism, WhateverThePoolTheSegmentsAndTheSlices) {
 }
 
 TEST_P(Determinism, WhateverTheTablesAndTheWorkgroups) {
-    const Scene scene = GetParam().build();
-    const Image reference = render(scene, odd_settings());
+    const Scene scene = build();
+    const Image reference = render(scene, sampled_settings());
     gpu::DeviceOptions options = validated();
     options.force_pointers = true;
     expect_same_bits(reference, render_on(options, scene));
@@ -132,21 +159,22 @@ TEST_F(RenderTest, LearningDoesNotDependOnWhichSamplesFollow) {
 }
 
 TEST_P(Determinism, OneRendererRepeatsItself) {
-    const Scene scene = GetParam().build();
+    const Scene scene = build();
     Renderer renderer(device(), scene, {});
-    const Image first = renderer.render(odd_settings()).image;
-    RenderSettings other = odd_settings();
+    const Image first = renderer.render(sampled_settings()).image;
+    RenderSettings other = sampled_settings();
     other.width = 64;
     other.integrator = "ao";
     renderer.render(other);
-    expect_same_bits(first, renderer.render(odd_settings()).image);
+    expect_same_bits(first, renderer.render(sampled_settings()).image);
 }
 
 TEST_P(Determinism, PartsOfTheSamplesSumToTheWhole) {
-    const Scene scene = GetParam().build();
-    const Image whole = render(scene, odd_settings());
-    RenderSettings part = odd_settings();
+    const Scene scene = build();
+    const Image whole = render(scene, sampled_settings());
+    RenderSettings part = sampled_settings();
     part.samples = 4;
+    part.sequence_samples = 12;
     std::vector<Image> parts;
     for (part.first_sample = 0; part.first_sample < 12; part.first_sample += 4)
         parts.push_back(render(scene, part));

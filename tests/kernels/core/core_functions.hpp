@@ -13,13 +13,20 @@
 
 namespace ajar::test {
 
+// Which sampler CORE_SAMPLER asks, and how long its sequence is if it is blue noise.
+struct SamplerVariant {
+    std::uint32_t sampler = shared::SAMPLER_SOBOL;
+    std::uint32_t samples_log2 = 0;
+};
+
 class CoreFunctions : public GpuTest {
   protected:
     static std::vector<glm::uvec4> run(std::uint32_t function, const std::vector<glm::uvec4>& items,
-                                       const glm::vec4& parameters = {}) {
-        const gpu::Kernel<shared::CoreFunctionsArgs> kernel(
-            device(), gpu::test_kernels(), "core_functions",
-            {{shared::SPEC_WORKGROUP_SIZE, WORKGROUP_SIZE}, {shared::SPEC_OPTION, function}});
+                                       const glm::vec4& parameters = {}, SamplerVariant variant = {}) {
+        const gpu::Kernel<shared::CoreFunctionsArgs> kernel(device(), gpu::test_kernels(), "core_functions",
+                                                            {{shared::SPEC_WORKGROUP_SIZE, WORKGROUP_SIZE},
+                                                             {shared::SPEC_OPTION, function},
+                                                             {shared::SPEC_SAMPLER, variant.sampler}});
         gpu::Buffer in(device(), items.size() * sizeof(glm::uvec4), "items in");
         const gpu::Buffer out(device(), items.size() * sizeof(glm::uvec4), "items out");
         in.write(std::span<const glm::uvec4>(items));
@@ -27,7 +34,7 @@ class CoreFunctions : public GpuTest {
         gpu::Commands commands(device());
         commands.bind(bindings);
         const auto count = static_cast<std::uint32_t>(items.size());
-        kernel.dispatch(commands, {{in.address()}, {out.address()}, parameters, count, 0},
+        kernel.dispatch(commands, {{in.address()}, {out.address()}, parameters, count, variant.samples_log2},
                         groups_of(items.size()));
         commands.submit();
         return out.read<glm::uvec4>(0, items.size());

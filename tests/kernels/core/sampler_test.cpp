@@ -1,24 +1,8 @@
-// The sample sequence: Sobol's matrix, Owen's scrambling, the net property of every pair, and that pairs and
-// pixels know nothing of each other.
-#include "core_functions.hpp"
-#include "shaders/shared/dimensions.glsl.h"
-#include "support/statistics.hpp"
-
-#include <set>
+// The Sobol sampler: its matrix, Owen's scrambling, and the net property of every pair.
+#include "sample_sequence.hpp"
 
 namespace ajar::test {
 namespace {
-
-class SampleSequence : public CoreFunctions {
-  protected:
-    static std::vector<glm::vec4> points(const std::vector<glm::uvec4>& keys) {
-        std::vector<glm::vec4> all;
-        all.reserve(keys.size());
-        for (const glm::uvec4& word : run(shared::CORE_SAMPLER, keys))
-            all.push_back(std::bit_cast<glm::vec4>(word));
-        return all;
-    }
-};
 
 std::uint32_t reversed(std::uint32_t x) {
     std::uint32_t y = 0;
@@ -66,16 +50,6 @@ TEST_F(SampleSequence, ScramblingABitLooksOnlyAtTheBitsBelow) {
     }
 }
 
-// How many points of a 2^m block fall into each elementary interval 2^-a x 2^-(m - a).
-void expect_net(std::span<const glm::vec4> block, int m) {
-    for (int a = 0; a <= m; ++a) {
-        std::set<std::pair<int, int>> cells;
-        for (const glm::vec4& p : block)
-            cells.emplace(static_cast<int>(std::ldexp(p.x, a)), static_cast<int>(std::ldexp(p.y, m - a)));
-        ASSERT_EQ(cells.size(), block.size()) << "2^-" << a << " x 2^-" << m - a;
-    }
-}
-
 TEST_F(SampleSequence, EveryAlignedBlockOfAPairIsANet) {
     std::vector<glm::uvec4> keys;
     for (std::uint32_t stream = 0; stream < 8; ++stream)
@@ -101,89 +75,6 @@ TEST_F(SampleSequence, EveryAlignedBlockOfASingleDimensionIsStratified) {
             for (std::size_t i = 0; i < std::size_t{1} << m; ++i)
                 cells.insert(static_cast<int>(std::ldexp(all[d * 1024 + i].z, m)));
             ASSERT_EQ(cells.size(), std::size_t{1} << m);
-        }
-    }
-}
-
-TEST_F(SampleSequence, StaysBelowOneAndIsNeverNegative) {
-    std::mt19937 random(4);
-    std::vector<glm::uvec4> keys;
-    for (int k = 0; k < 1'000'000; ++k)
-        keys.emplace_back(static_cast<std::uint32_t>(random()), static_cast<std::uint32_t>(random()),
-                          static_cast<std::uint32_t>(random()), static_cast<std::uint32_t>(random()) & 255u);
-    for (const glm::vec4& p : points(keys)) {
-        ASSERT_GE(std::min({p.x, p.y, p.z}), 0.0f);
-        ASSERT_LE(std::max({p.x, p.y, p.z}), LARGEST_UNIFORM);
-    }
-}
-
-// p-value of (a, b) being independent and uniform: a 16 x 16 table.
-double independence(const std::vector<float>& a, const std::vector<float>& b) {
-    std::vector<double> observed(256);
-    for (std::size_t k = 0; k < a.size(); ++k)
-        ++observed[static_cast<std::size_t>(a[k] * 16) * 16 + static_cast<std::size_t>(b[k] * 16)];
-    const std::vector<double> expected(256, static_cast<double>(a.size()) / 256);
-    return chi_square(observed, expected).p;
-}
-
-TEST_F(SampleSequence, OneSampleIsUniformAndIndependentOverPixelsSeedsAndDimensions) {
-    // Neighbours of a key, where a weak hash would show: same sample, key x and key x + 1.
-    constexpr std::size_t COUNT = 1 << 18;
-    const glm::uvec4 steps[] = {{0, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 2}, {0, 0, 0, 1}, {0, 1u << 16, 0, 0}};
-    std::size_t tests = 0;
-    double least = 1;
-    for (const std::uint32_t sample : {0u, 1u, 7u, 100'000u}) {
-        for (const glm::uvec4& step : steps) {
-            std::vector<glm::uvec4> keys;
-            for (std::uint32_t k = 0; k < COUNT; ++k) {
-                const glm::uvec4 base(step.x ? k * 2u : 9u, step.x ? 4u : k * 2u, sample, 4);
-                keys.push_back(base);
-                keys.push_back(base + step);
-            }
-            const auto all = points(keys);
-            std::vector<float> columns[6];
-            for (std::size_t k = 0; k < all.size(); k += 2)
-                for (std::size_t c = 0; c < 6; ++c)
-                    columns[c].push_back(all[k + c / 3][static_cast<int>(c % 3)]);
-            for (const auto& [a, b] : {std::pair{0, 1}, {3, 4}, {0, 3}, {1, 4}, {0, 4}, {1, 3}, {2, 5}}) {
-                least = std::min(least, independence(columns[a], columns[b]));
-                ++tests;
-            }
-        }
-    }
-    EXPECT_GT(least, sidak_level(SIGNIFICANCE, tests));
-}
-
-TEST_F(SampleSequence, DimensionsOfAPixelAreUncorrelatedOverItsSamples) {
-    // Padding works only if pairs are shuffled independently: the mean of the product of two centred
-    // dimensions over one pixel's 16 samples has mean 0 over pixels. Its variance lies between that of 16
-    // independent points and of 8: samples 2k and 2k + 1 fall into opposite halves of every dimension, so
-    // their products agree in part.
-    constexpr std::uint32_t PIXELS = 8192;
-    constexpr std::uint32_t SAMPLES = 16;
-    const std::uint32_t dimensions[] = {shared::DIM_PIXEL, shared::DIM_LENS, shared::DIM_BOUNCE_FIRST,
-                                        shared::DIM_BOUNCE_FIRST + shared::DIM_LIGHT,
-                                        shared::DIM_BOUNCE_FIRST + shared::DIM_PER_BOUNCE};
-    std::vector<glm::uvec4> keys;
-    for (const std::uint32_t d : dimensions)
-        for (std::uint32_t pixel = 0; pixel < PIXELS; ++pixel)
-            for (std::uint32_t i = 0; i < SAMPLES; ++i) keys.emplace_back(1, pixel, i, d);
-    const auto all = points(keys);
-    const auto at = [&](std::size_t column, std::size_t pixel, std::size_t i) {
-        return all[((column / 2) * PIXELS + pixel) * SAMPLES + i][static_cast<int>(column % 2)] - 0.5;
-    };
-    const std::size_t columns = 2 * std::size(dimensions);
-    const double level = sidak_level(SIGNIFICANCE, columns * (columns - 1) / 2);
-    for (std::size_t a = 0; a < columns; ++a) {
-        for (std::size_t b = a + 1; b < columns; ++b) {
-            Moments moments;
-            for (std::size_t pixel = 0; pixel < PIXELS; ++pixel) {
-                double sum = 0;
-                for (std::size_t i = 0; i < SAMPLES; ++i) sum += at(a, pixel, i) * at(b, pixel, i);
-                moments.add(sum / SAMPLES);
-            }
-            EXPECT_GT(mean_p_value(moments, 0), level) << a << " " << b;
-            EXPECT_LT(moments.variance(), 1.15 / 144 / (SAMPLES / 2)) << a << " " << b;
         }
     }
 }

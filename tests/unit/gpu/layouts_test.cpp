@@ -80,7 +80,7 @@ const Field FIELDS[] = {
     F(FrameRecord, scene_radius), F(FrameRecord, cull_backfaces), F(FrameRecord, instance_count),
     F(FrameRecord, ao_distance), F(FrameRecord, distant_first), F(FrameRecord, distant_slots),
     F(FrameRecord, distant_irradiance), F(FrameRecord, tree_first), F(FrameRecord, tree_nodes),
-    F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, pad),
+    F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, sequence_log2),
     F(SurfaceRecord, normal), F(SurfaceRecord, material), F(SurfaceRecord, uv0), F(SurfaceRecord, light),
     F(SurfaceRecord, object),
     F(SurfaceExtension, uv1), F(SurfaceExtension, tangent), F(SurfaceExtension, tangent_sign),

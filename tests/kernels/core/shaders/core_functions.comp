@@ -33,7 +33,7 @@ vec4 warp(vec2 u) {
 uvec4 integers(uvec4 x) {
     switch (OPTION) {
     case CORE_SAMPLER: {
-        const Sampler s = sampler_begin(x.x, x.y, x.z);
+        const Sampler s = sampler_begin(x.x, x.y, x.z, args.samples_log2);
         return floatBitsToUint(vec4(sampler_2d(s, x.w), sampler_1d(s, x.w), 0.0));
     }
     case CORE_SOBOL: return uvec4(sampler_sobol1_reversed(x.x));

@@ -35,7 +35,7 @@ struct CoreFunctionsArgs {
     TableWordPtr items_out;
     vec4 parameters;
     uint count;
-    uint pad;
+    uint samples_log2; // CORE_SAMPLER: of the blue-noise sequence
 };
 DUAL_SIZE(CoreFunctionsArgs, 40);
 
