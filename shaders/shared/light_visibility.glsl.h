@@ -20,8 +20,8 @@ struct VisibilityCount {
 DUAL_SIZE(VisibilityCount, 8);
 DUAL_PTR(VisibilityCount);
 
-// BIND_VISIBILITY: a byte for each node of each cell, (byte + 1) / 256 being its visibility. Nodes are numbered
-// as in a heap: 1 is the root, 2 k and 2 k + 1 the pair below k; 0 stands for the distant lights.
+// BIND_VISIBILITY: a byte for each node of each cell, (byte + 1) / 256 being its visibility. Nodes are
+// numbered as in a heap: 1 is the root, 2 k and 2 k + 1 the pair below k; 0 stands for the distant lights.
 const uint VISIBILITY_CELL_BYTES = 2u * VISIBILITY_CLUSTERS;
 const uint VISIBILITY_CELL_TEXELS = VISIBILITY_CELL_BYTES / 16u;
 

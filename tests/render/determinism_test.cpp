@@ -121,8 +121,8 @@ TEST_P(Determinism, WhateverTheTablesAndTheWorkgroups) {
     }
 }
 
-// Light samplers that look at the point, and one that first learns about it in a pass of its own: whatever cuts
-// that pass into pieces.
+// Light samplers that look at the point, and one that first learns about it in a pass of its own: whatever
+// cuts that pass into pieces.
 class DeterminismOfLightSamplers : public RenderTest, public testing::WithParamInterface<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Looking, DeterminismOfLightSamplers, testing::Values("tree", "visibility"),
                          [](const auto& row) { return std::string(row.param); });
