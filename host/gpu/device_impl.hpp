@@ -6,6 +6,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include <atomic>
+#include <map>
 #include <mutex>
 
 namespace ajar::gpu {
@@ -82,6 +83,8 @@ struct Device::Impl {
     mutable std::mutex staging_mutex; // so is the staging memory
     mutable std::unique_ptr<Staging> staging;
     mutable std::atomic<std::uint64_t> allocated_bytes = 0;
+    mutable std::mutex kernels_mutex;
+    mutable std::map<std::string, std::shared_ptr<KernelBase::Impl>> kernels; // by all that decides them
 
   private:
     void create_device();

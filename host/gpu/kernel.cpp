@@ -104,8 +104,20 @@ KernelBase::Impl::Impl(const Device& device, std::span<const std::uint32_t> spir
 KernelBase::KernelBase(const Device& device, KernelSet set, std::string_view name,
                        const Specialization& specialization, std::uint32_t args_bytes) {
     const Choice choice = choose(device, set, name, specialization);
+    // Embedded SPIR-V lives as long as the program, so its address stands for it.
+    std::string key = fmt::format("{} {} {} {}", name, static_cast<const void*>(choice.spirv.data()),
+                                  args_bytes, choice.full_subgroups);
+    for (const auto& [id, value] : specialization) key += fmt::format(" {}={}", id, value);
+    const Device::Impl& owner = device.impl();
+    {
+        const std::lock_guard lock(owner.kernels_mutex);
+        impl_ = owner.kernels[key];
+    }
+    if (impl_) return;
     impl_ =
-        std::make_unique<Impl>(device, choice.spirv, name, specialization, args_bytes, choice.full_subgroups);
+        std::make_shared<Impl>(device, choice.spirv, name, specialization, args_bytes, choice.full_subgroups);
+    const std::lock_guard lock(owner.kernels_mutex);
+    owner.kernels[key] = impl_;
 }
 
 KernelBase::KernelBase(const Device& device, std::string_view name, const Specialization& specialization,
@@ -114,7 +126,7 @@ KernelBase::KernelBase(const Device& device, std::string_view name, const Specia
 
 KernelBase::KernelBase(const Device& device, std::span<const std::uint32_t> spirv, std::string_view label,
                        const Specialization& specialization, std::uint32_t args_bytes)
-    : impl_(std::make_unique<Impl>(device, spirv, label, specialization, args_bytes, false)) {}
+    : impl_(std::make_shared<Impl>(device, spirv, label, specialization, args_bytes, false)) {}
 
 KernelBase::~KernelBase() = default;
 KernelBase::KernelBase(KernelBase&&) noexcept = default;

@@ -4,6 +4,7 @@
 #include "gpu/bindings.hpp"
 #include "gpu/commands.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace ajar::gpu {
@@ -48,7 +49,7 @@ class KernelBase {
     void record(Commands& commands, const void* args, std::uint32_t group_count) const;
 
   private:
-    std::unique_ptr<Impl> impl_;
+    std::shared_ptr<Impl> impl_; // the device keeps it for the next kernel that is equal
 };
 
 template <class Args> class Kernel : public KernelBase {
