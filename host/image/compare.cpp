@@ -1,6 +1,7 @@
 #include "image/compare.hpp"
 
 #include "base/error.hpp"
+#include "image/relative_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ void measure_errors(const Layer& test, const Layer& reference, Range range, Comp
                          b = reference.pixels[i * reference.channels + c];
             const double square = (a - b) * (a - b);
             squares += square;
-            relative += square / (b * b + 0.01);
+            relative += relative_square(a, b);
             if (range == Range::scene) peak = std::max(peak, b);
             if (std::abs(a - b) <= result.max_error) continue;
             result.max_error = std::abs(a - b);
