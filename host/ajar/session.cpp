@@ -34,6 +34,8 @@ RenderResult Session::render(const RenderSettings& settings, const ProgressSink&
     result.prepare_seconds = output.stats.prepare_seconds;
     result.render_seconds = output.stats.render_seconds;
     result.rays = output.stats.extension_rays + output.stats.shadow_rays;
+    result.shadow_rays = output.stats.shadow_rays;
+    result.shadow_rays_open = output.stats.shadow_rays_open;
     result.invalid_samples = output.stats.invalid_samples;
     result.first_invalid[0] = output.stats.invalid_pixel & 0xffff;
     result.first_invalid[1] = output.stats.invalid_pixel >> 16;

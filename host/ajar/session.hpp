@@ -24,6 +24,8 @@ struct RenderResult {
     double prepare_seconds = 0; // building the hierarchy and uploading
     double render_seconds = 0;
     std::uint64_t rays = 0; // traced, shadow rays included
+    std::uint64_t shadow_rays = 0;
+    std::uint64_t shadow_rays_open = 0; // that reached their light
     // What should not happen; 0 in a good render.
     std::uint64_t invalid_samples = 0;   // NaN, infinite or negative: counted as black
     std::uint32_t first_invalid[3] = {}; // pixel's x and y, and the sample, of the first that was met
