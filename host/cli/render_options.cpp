@@ -70,6 +70,8 @@ void set_filter(RenderSettings& settings, const std::string& name) {
         if (rows[i].name == name) settings.filter = static_cast<PixelFilter>(i);
 }
 
+} // namespace
+
 void declare_output(CLI::App& app, RenderOptions& o) {
     const std::string group = "Output";
     app.add_option(
@@ -84,6 +86,15 @@ void declare_output(CLI::App& app, RenderOptions& o) {
     app.add_flag("--aov", o.settings.aovs,
                  "EXR: layers albedo, normal, position, depth, emission, object_id, material_id, samples")
         ->group(group);
+    app.add_option(
+           "--report", o.report,
+           "JSON: settings, hashes of scene and shaders, device, driver, versions, time per kernel, rays")
+        ->type_name("FILE.json")
+        ->group(group);
+}
+
+void declare_display(CLI::App& app, RenderOptions& o) {
+    const std::string group = "Output";
     app.add_option("--tonemap", o.save.tonemap, help_from("PNG, JPEG (default linear)", tonemap_operators()))
         ->type_name("NAME")
         ->check(one_of(tonemap_operators()))
@@ -91,11 +102,6 @@ void declare_output(CLI::App& app, RenderOptions& o) {
     app.add_option("--exposure", o.save.exposure, "PNG, JPEG: multiplies radiance by 2^EV (default 0)")
         ->type_name("EV")
         ->check(number(-100, 100))
-        ->group(group);
-    app.add_option(
-           "--report", o.report,
-           "JSON: settings, hashes of scene and shaders, device, driver, versions, time per kernel, rays")
-        ->type_name("FILE.json")
         ->group(group);
     app.add_option("--progress", o.progress,
                    "auto (default): a line on stderr where that is a terminal; none; json: one object a line "
@@ -214,6 +220,9 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->type_name("show|cull")
         ->check(CLI::IsMember({"show", "cull"}).description(""))
         ->group(group);
+    for (const char* needs : {"--env-rotation", "--env-strength"})
+        app.get_option(needs)->needs(app.get_option("--env"));
+    app.get_option("--background")->excludes(app.get_option("--env"));
 }
 
 void declare_device(CLI::App& app, RenderOptions& o) {
@@ -242,18 +251,14 @@ void declare_device(CLI::App& app, RenderOptions& o) {
         ->group(group);
 }
 
-} // namespace
-
 void declare(CLI::App& app, RenderOptions& options) {
     app.add_option("SCENE", options.scene, "A .gltf or .glb file")->required();
     declare_output(app, options);
+    declare_display(app, options);
     declare_image(app, options);
     declare_method(app, options);
     declare_scene(app, options);
     declare_device(app, options);
-    for (const char* needs : {"--env-rotation", "--env-strength"})
-        app.get_option(needs)->needs(app.get_option("--env"));
-    app.get_option("--background")->excludes(app.get_option("--env"));
 }
 
 } // namespace ajar::cli

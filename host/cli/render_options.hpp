@@ -29,7 +29,15 @@ struct RenderOptions {
     std::string progress = "auto";
 };
 
-// `options` must outlive `app`.
+// All of them. `options` must outlive `app`.
 void declare(CLI::App& app, RenderOptions& options);
+
+// Their groups, for commands that take some of them.
+void declare_output(CLI::App& app, RenderOptions& options);  // the files, and what is in them
+void declare_display(CLI::App& app, RenderOptions& options); // tone mapping, progress
+void declare_image(CLI::App& app, RenderOptions& options);   // size, samples, bounces, filter
+void declare_method(CLI::App& app, RenderOptions& options);  // rows of tables
+void declare_scene(CLI::App& app, RenderOptions& options);   // camera, environment
+void declare_device(CLI::App& app, RenderOptions& options);
 
 } // namespace ajar::cli
