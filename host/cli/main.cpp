@@ -24,14 +24,15 @@ int run(int argc, char** argv) {
                  "ajar");
     app.formatter(std::make_shared<HelpFormatter>());
     app.footer("  ajar render scene.glb -o out.png\n"
+               "  ajar lab scene.glb --strategies all\n"
                "  ajar compare out.exr golden.exr\n"
                "  ajar render --help");
     app.set_version_flag("--version", fmt::format("ajar {}", version()), "Print the version");
     app.set_help_flag("-h,--help", "Print this help");
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    const std::vector<Command> commands{render_command(app), compare_command(app), info_command(app),
-                                        devices_command(app)};
+    const std::vector<Command> commands{render_command(app), lab_command(app), compare_command(app),
+                                        info_command(app), devices_command(app)};
     const auto chosen = [&] {
         return std::find_if(commands.begin(), commands.end(),
                             [](const Command& c) { return c.app->parsed(); });
@@ -42,7 +43,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (chosen() == commands.end())
-            throw UsageError("a command is missing: render, compare, info or devices");
+            throw UsageError("a command is missing: render, lab, compare, info or devices");
         return chosen()->run();
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))

@@ -72,6 +72,27 @@ void ProgressDisplay::update(const Progress& p) {
     line_open_ = true;
 }
 
+void ProgressDisplay::overall(const std::string& step, double share, double seconds) {
+    if (mode_ == ProgressMode::none || (shown_ >= 0 && seconds - shown_ < REDRAW_SECONDS)) return;
+    shown_ = seconds;
+    const double left = share > 0 ? seconds / share * (1 - share) : -1;
+    if (mode_ == ProgressMode::json) {
+        Json json{{"event", "progress"}, {"stage", step}, {"share", share}, {"seconds", seconds}};
+        json["left_seconds"] = left < 0 ? Json(nullptr) : Json(left);
+        print_json(json);
+        return;
+    }
+    std::string line = fmt::format("\r\x1b[K{:3.0f} %  {}", 100 * share, step);
+    if (left >= 0 && seconds > 1) line += fmt::format("  {} left", clock_time(left));
+    print_stderr(line);
+    line_open_ = true;
+}
+
+void ProgressDisplay::done(bool interrupted) {
+    clear();
+    if (mode_ == ProgressMode::json) print_json({{"event", "done"}, {"interrupted", interrupted}});
+}
+
 void ProgressDisplay::warning(std::string_view line) {
     clear();
     print_line("warning", line);

@@ -22,6 +22,9 @@ class ProgressDisplay {
 
     void stage(std::string_view name); // "load", "prepare", ...: begins
     void update(const Progress& progress);
+    // Work of several steps: which one, the share of all that is done, and seconds since they began.
+    void overall(const std::string& step, double share, double seconds);
+    void done(bool interrupted); // of such work
     void warning(std::string_view line);
     void notice(std::string_view line); // stderr, even without progress
     void written(const std::string& file);

@@ -29,6 +29,12 @@ std::vector<std::string> tiny(std::vector<std::string> more) {
     return arguments;
 }
 
+std::vector<std::string> lab(const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"lab", scene_path("cornell-box"), "--size", "16x16", "-o", folder};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
 void write_triangle(const fs::path& file) { write_triangle(file, "", ""); }
 
 void write_glowing_triangle(const fs::path& file, const std::string& strength) {

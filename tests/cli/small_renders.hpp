@@ -10,6 +10,9 @@ namespace ajar::test {
 // A tiny Cornell box; further arguments win over these.
 std::vector<std::string> tiny(std::vector<std::string> more);
 
+// The same box, compared by `ajar lab` into a folder.
+std::vector<std::string> lab(const std::string& folder, const std::vector<std::string>& more);
+
 // A triangle in view, without material or light.
 void write_triangle(const std::filesystem::path& file);
 // The same, emitting; `strength` as JSON writes a number.
