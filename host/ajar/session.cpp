@@ -35,6 +35,7 @@ RenderResult Session::render(const RenderSettings& settings, const ProgressSink&
     result.render_seconds = output.stats.render_seconds;
     result.rays = output.stats.extension_rays + output.stats.shadow_rays;
     result.shadow_rays = output.stats.shadow_rays;
+    result.learning_seconds = output.stats.learning_seconds;
     result.shadow_rays_open = output.stats.shadow_rays_open;
     result.invalid_samples = output.stats.invalid_samples;
     result.first_invalid[0] = output.stats.invalid_pixel & 0xffff;

@@ -23,6 +23,7 @@ struct RenderResult {
     bool out_of_time = false;   // settings.time_limit was reached
     double prepare_seconds = 0; // building the hierarchy and uploading
     double render_seconds = 0;
+    double learning_seconds = 0; // part of those: what light sampler visibility learns, once for a session
     std::uint64_t rays = 0; // traced, shadow rays included
     std::uint64_t shadow_rays = 0;
     std::uint64_t shadow_rays_open = 0; // that reached their light

@@ -22,13 +22,22 @@ bool casts_shadow_rays(const RenderSettings& s) {
 
 bool has_strategy(const RenderSettings& s) { return s.integrator == "path" || s.integrator == "direct"; }
 
+bool combines(const RenderSettings& s) { return has_strategy(s) && s.strategy == "mis"; }
+
+bool picks_a_light(const RenderSettings& s) { return casts_shadow_rays(s) && s.light_rays == "one"; }
+
 constexpr std::array AXES{
     Axis{"--integrators", "--integrator", "What is computed", &RenderSettings::integrator, integrators,
          always},
     Axis{"--strategies", "--strategy", "How light is found", &RenderSettings::strategy, strategies,
          has_strategy},
+    Axis{"--heuristics", "--heuristic", "How strategy mis weighs", &RenderSettings::heuristic, heuristics,
+         combines},
+    Axis{"--light-ray-choices", "--light-rays", "Shadow rays at a vertex", &RenderSettings::light_rays,
+         light_ray_choices, casts_shadow_rays},
     Axis{"--light-samplers", "--light-sampler", "How a light is picked", &RenderSettings::light_sampler,
-         light_samplers, casts_shadow_rays},
+         light_samplers, picks_a_light},
+    Axis{"--samplers", "--sampler", "Random numbers", &RenderSettings::sampler, samplers, always},
 };
 
 std::string trimmed(const std::string& text) {

@@ -41,6 +41,9 @@ void add_totals(RenderResult& totals, RenderResult& range) {
     totals.manifest = std::move(range.manifest);
 }
 
+// Samples that a sequence is laid out for where time is what ends it.
+constexpr std::uint32_t TIMED_SEQUENCE = 1u << 16;
+
 Image beauty_of(const Image& image) {
     Image copy{image.width, image.height, {beauty(image, "picture")}, {}, image.range};
     return copy;
@@ -60,9 +63,10 @@ MeanTest test_means(const Image& image, const Image& reference, double significa
 } // namespace
 
 Samples render_ranges(Session& session, RenderSettings settings, const Budget& budget, std::uint32_t first,
-                      const std::vector<std::uint32_t>& stops, const RangeSink& each,
+                      double spent, const std::vector<std::uint32_t>& stops, const RangeSink& each,
                       const ShareSink& share) {
     Samples samples;
+    samples.seconds = spent;
     double rate = 0; // samples a second in the last range
     while (true) {
         const std::uint64_t done = samples.mean.samples();
@@ -102,9 +106,12 @@ double Measured::efficiency() const {
 std::optional<Measured> measure(Session& session, const Case& which, const LabPlan& plan,
                                 const ReferenceView& reference, double significance, const ShareSink& share) {
     if (share && !share(0)) return std::nullopt;
-    warm_up(session, which.settings);
     Measured m;
     m.name = which.name, m.settings = which.settings;
+    // One picture, so one sequence, though it is made of ranges.
+    if (m.settings.sampler == "blue-noise" && m.settings.sequence_samples == 0)
+        m.settings.sequence_samples = plan.budget.samples > 0 ? plan.budget.samples : TIMED_SEQUENCE;
+    const double learning = warm_up(session, m.settings).learning_seconds;
     std::vector<ErrorPoint> independent;
     const auto each = [&](const Image& range, std::uint32_t count, const Samples& so_far) {
         const RelativeError alone = relative_error(range, reference.image);
@@ -117,7 +124,7 @@ std::optional<Measured> measure(Session& session, const Case& which, const LabPl
         if (std::find(plan.stops.begin(), plan.stops.end(), so_far.mean.samples()) != plan.stops.end())
             m.pictures.push_back(beauty_of(mean));
     };
-    Samples samples = render_ranges(session, which.settings, plan.budget, 0, plan.stops, each, share);
+    Samples samples = render_ranges(session, m.settings, plan.budget, 0, learning, plan.stops, each, share);
     if (samples.interrupted) return std::nullopt;
     m.slope = fit_slope(independent);
     const Image mean = samples.mean.image();

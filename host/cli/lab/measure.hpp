@@ -28,9 +28,10 @@ using ShareSink = std::function<bool(double share)>;
 using RangeSink = std::function<void(const Image& range, std::uint32_t samples, const Samples& so_far)>;
 
 // Ranges end at powers of two, at `stops` and at the budget's end; at least one sample is taken. `first`: the
-// first sample, where earlier ones are there already.
+// first sample, where earlier ones are there already; `spent`: seconds that count although they are past.
 Samples render_ranges(Session& session, RenderSettings settings, const Budget& budget, std::uint32_t first,
-                      const std::vector<std::uint32_t>& stops, const RangeSink& each, const ShareSink& share);
+                      double spent, const std::vector<std::uint32_t>& stops, const RangeSink& each,
+                      const ShareSink& share);
 
 // Renders one sample that nobody looks at, so that compiling kernels and uploading are not part of any time.
 // Its image's metadata says what was rendered.

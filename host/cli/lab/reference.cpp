@@ -126,7 +126,7 @@ Reference render_reference(Session& session, const LabPlan& plan, const fs::path
         r.image = mean.image();
     };
     const Samples samples = render_ranges(session, plan.reference_settings, budget,
-                                          static_cast<std::uint32_t>(found), {}, each, share);
+                                          static_cast<std::uint32_t>(found), 0, {}, each, share);
     r.interrupted = samples.interrupted;
     r.samples = r.found + samples.mean.samples();
     r.seconds += samples.seconds;
