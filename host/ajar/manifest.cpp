@@ -53,6 +53,7 @@ Json image_settings(const Manifest& m) {
             {"sampler", s.sampler},
             {"sequence_samples", s.sequence_samples},
             {"naive_sampling", s.naive_sampling},
+            {"triangle_sampling", s.triangle_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
             {"filter_radius", s.filter_radius},

@@ -49,8 +49,8 @@ void add(Digest& d, const Mesh& mesh) {
 }
 
 void add(Digest& d, const Instance& instance) {
-    const auto& [name, mesh, to_world] = instance;
-    d.add_each(mesh, to_world);
+    const auto& [name, mesh, to_world, sphere_radius, sphere_center] = instance;
+    d.add_each(mesh, to_world, sphere_radius, sphere_center);
 }
 
 void add(Digest& d, const TextureUse& use) {
@@ -82,9 +82,10 @@ void add(Digest& d, const TextureImage& image) {
 }
 
 void add(Digest& d, const Light& light) {
-    const auto& [name, kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle] =
-        light;
-    d.add_each(kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle);
+    const auto& [name, kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle,
+                 radius, angular_diameter] = light;
+    d.add_each(kind, intensity, position, direction, range, inner_cone_angle, outer_cone_angle, radius,
+               angular_diameter);
 }
 
 // The name too: --camera NAME is looked up by it.

@@ -169,6 +169,8 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
     choice("--light-sampler", s.light_sampler, "How a light is picked", light_samplers());
     choice("--sampler", s.sampler, "Random numbers", samplers());
+    choice("--triangle-sampling", s.triangle_sampling, "How a point on an emissive triangle is picked",
+           triangle_samplings());
     choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
     app.add_option("--clamp", s.clamp,
                    "No channel of a sample is above it; darkens the image, so it is named as biased "

@@ -43,6 +43,12 @@ std::string_view to_string(LightKind kind) {
     }
 }
 
+std::string extent_text(const Light& light) {
+    if (light.kind == LightKind::directional && light.angular_diameter > 0)
+        return fmt::format(", {:.3g} degrees across", glm::degrees(light.angular_diameter));
+    return light.radius > 0 ? fmt::format(", radius {:.3g} m", light.radius) : std::string();
+}
+
 nlohmann::json to_json(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 // Names come from the file; a line is a line.
@@ -101,8 +107,17 @@ nlohmann::json scene_json(const Scene& scene, const AssetInfo& info) {
         json["bounds"] = {{"lower", to_json(bounds.lower)}, {"upper", to_json(bounds.upper)}};
     for (const Camera& camera : scene.cameras) json["cameras"].push_back(camera_json(camera));
     for (const Light& light : scene.lights)
-        json["lights"].push_back(
-            {{"name", light.name}, {"kind", to_string(light.kind)}, {"intensity", to_json(light.intensity)}});
+        json["lights"].push_back({{"name", light.name},
+                                  {"kind", to_string(light.kind)},
+                                  {"intensity", to_json(light.intensity)},
+                                  {"radius", light.radius},
+                                  {"angular_diameter_degrees", glm::degrees(light.angular_diameter)}});
+    for (const Instance& instance : scene.instances)
+        if (instance.sphere_radius > 0)
+            json["lights"].push_back({{"name", instance.name},
+                                      {"kind", "sphere"},
+                                      {"radius", instance.sphere_radius},
+                                      {"position", to_json(instance.sphere_center)}});
     return json;
 }
 
@@ -152,7 +167,11 @@ std::string info_text(const ImportResult& result) {
     line("textures", fmt::format("{} of {}, from {} of {} images", scene.textures.size(), info.textures,
                                  scene.images.size(), info.images));
     for (const Light& light : scene.lights)
-        line("light", fmt::format("{} ({})", shown(light.name), to_string(light.kind)));
+        line("light", fmt::format("{} ({}{})", shown(light.name), to_string(light.kind), extent_text(light)));
+    for (const Instance& instance : scene.instances)
+        if (instance.sphere_radius > 0)
+            line("light", fmt::format("{} (mesh as a sphere, radius {:.3g} m)", shown(instance.name),
+                                      instance.sphere_radius));
     if (!has_light(scene)) line("light", "none");
     for (const Camera& camera : scene.cameras)
         line("camera", fmt::format("{} ({})", shown(camera.name), to_string(camera.kind)));

@@ -222,6 +222,22 @@ std::optional<JsonObject> JsonObject::extension(std::string_view name) const {
     return extensions ? extensions->object(name) : std::nullopt;
 }
 
+std::optional<JsonObject> JsonObject::extras() const {
+    const json* value = find("extras");
+    if (!value || !value->is_object()) return std::nullopt;
+    return JsonObject(*value, path("extras"));
+}
+
+std::optional<double> JsonObject::if_number(std::string_view key) const {
+    const json* value = find(key);
+    return value && value->is_number() ? std::optional(value->get<double>()) : std::nullopt;
+}
+
+std::optional<bool> JsonObject::if_flag(std::string_view key) const {
+    const json* value = find(key);
+    return value && value->is_boolean() ? std::optional(value->get<bool>()) : std::nullopt;
+}
+
 std::vector<JsonObject> JsonObject::objects(std::string_view key) const {
     std::vector<JsonObject> result;
     const json* array = find_array(key);

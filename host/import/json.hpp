@@ -14,7 +14,8 @@
 
 namespace ajar::gltf {
 
-// An object of a JSON document and its path, which begins with the file's name. The document must outlive it.
+// An object of a JSON document and its path, which begins with the file's name. The document must outlive
+// it.
 class JsonObject {
   public:
     // Throws Error when `value` is not an object.
@@ -23,8 +24,8 @@ class JsonObject {
     bool has(std::string_view key) const;
     std::vector<std::string> keys() const;
 
-    // A missing key gives `fallback` (or nullopt); a wrong type, a number that is not finite or out of range
-    // throws.
+    // A missing key gives `fallback` (or nullopt); a wrong type, a number that is not finite or out of
+    // range throws.
     std::string text(std::string_view key, std::string_view fallback = {}) const;
     bool flag(std::string_view key, bool fallback) const;
     float number(std::string_view key, float fallback) const;
@@ -42,6 +43,12 @@ class JsonObject {
     std::optional<JsonObject> extension(std::string_view name) const; // extensions.name
     std::vector<JsonObject> objects(std::string_view key) const;      // an array of objects
     std::vector<std::string> texts(std::string_view key) const;       // an array of strings
+
+    // `extras`, which may be of any type: nullopt unless it is an object. In there, values of another type
+    // count as missing.
+    std::optional<JsonObject> extras() const;
+    std::optional<double> if_number(std::string_view key) const;
+    std::optional<bool> if_flag(std::string_view key) const;
 
     // "PATH.key: message"; an empty key complains about the object itself.
     std::string path(std::string_view key) const; // "PATH.key"
@@ -65,7 +72,8 @@ class JsonObject {
     std::int64_t index_ = -1;
 };
 
-// Parses text of bounded depth and bounded number of values, as a small file of brackets can fill the memory.
+// Parses text of bounded depth and bounded number of values, as a small file of brackets can fill the
+// memory.
 nlohmann::json parse_json(std::span<const std::byte> bytes, const std::string& file);
 
 } // namespace ajar::gltf

@@ -1,5 +1,6 @@
 #include "import/meshes.hpp"
 
+#include "import/extras.hpp"
 #include "import/normals.hpp"
 #include "import/tangents.hpp"
 
@@ -76,7 +77,8 @@ std::vector<bool> materials_in_scene(Document& document, const std::vector<bool>
 Meshes::Meshes(Document& document, Buffers& buffers, Accessors& accessors, const Nodes& nodes, Scene& scene)
     : document_(document), accessors_(accessors), nodes_(nodes),
       scene_(scene), reader_{document, buffers, accessors}, meshes_(document.root().objects("meshes")),
-      skins_(document.root().objects("skins")), file_materials_(scene.materials.size()) {}
+      skins_(document.root().objects("skins")), sphere_lights_(document, scene),
+      file_materials_(scene.materials.size()) {}
 
 void Meshes::add_instance(std::uint32_t node) {
     const JsonObject& object = nodes_.object(node);
@@ -93,7 +95,12 @@ void Meshes::add_instance(std::uint32_t node) {
         return;
     }
     const std::uint32_t mesh = mesh_of({*index, skin.value_or(NO_INDEX), std::move(weights)});
-    if (mesh != NO_INDEX) scene_.instances.push_back({nodes_.name(node), mesh, to_world});
+    if (mesh == NO_INDEX) return;
+    scene_.instances.push_back({nodes_.name(node), mesh, to_world});
+    const std::string owner = fmt::format("node '{}'", nodes_.name(node));
+    if (extras_flag(document_, object, "ajar_sphere", owner) ||
+        extras_flag(document_, meshes_[*index], "ajar_sphere", owner))
+        sphere_lights_.mark(scene_.instances.back());
 }
 
 std::uint32_t Meshes::mesh_of(const Shape& shape) {

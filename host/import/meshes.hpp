@@ -4,6 +4,7 @@
 
 #include "import/deform.hpp"
 #include "import/nodes.hpp"
+#include "import/sphere_lights.hpp"
 
 #include <map>
 #include <tuple>
@@ -41,6 +42,7 @@ class Meshes {
     std::vector<JsonObject> meshes_;
     std::vector<JsonObject> skins_;
     std::map<Shape, std::uint32_t> shapes_; // index into Scene::meshes, NO_INDEX: without triangles
+    SphereLights sphere_lights_;
     std::uint32_t default_material_ = NO_INDEX;
     std::size_t file_materials_;
 };

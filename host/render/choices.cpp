@@ -32,10 +32,15 @@ struct ConstantRow {
     std::uint32_t constant; // what the kernels are specialised with
 };
 
+// What choose_triangle_sampling makes of them is a feature bit.
+constexpr std::uint32_t TRIANGLES_AS_THEY_ARE = 0;
+constexpr std::uint32_t TRIANGLES_WIDE = 1;
+constexpr std::uint32_t TRIANGLES_SMALL = 2;
+
 constexpr ConstantRow STRATEGIES[] = {
     {{"mis", "both, combined by multiple importance sampling"}, shared::STRATEGY_MIS},
     {{"light", "shadow rays alone: mirrors still see lights directly"}, shared::STRATEGY_LIGHT},
-    {{"bsdf", "BSDF sampling alone: point, spot and directional lights are not seen"}, shared::STRATEGY_BSDF},
+    {{"bsdf", "BSDF sampling alone: lights without extent are not seen"}, shared::STRATEGY_BSDF},
 };
 
 constexpr ConstantRow HEURISTICS[] = {
@@ -68,6 +73,12 @@ constexpr ConstantRow NAIVE_SAMPLINGS[] = {
     {{"cosine", "by the cosine around the normal: mirrors stay black"}, shared::NAIVE_COSINE},
 };
 
+constexpr ConstantRow TRIANGLE_SAMPLINGS[] = {
+    {{"auto", "by solid angle where emissive triangles are large for the scene"}, TRIANGLES_AS_THEY_ARE},
+    {{"solid-angle", "evenly over the directions in which one is seen"}, TRIANGLES_WIDE},
+    {{"area", "evenly over its area: quicker, noisier near large ones"}, TRIANGLES_SMALL},
+};
+
 constexpr ConstantRow FILTERS[] = {
     {{"box", "the pixel's square (radius 0.5)"}, shared::FILTER_BOX},
     {{"gaussian", "a bell cut at its radius (1.5)"}, shared::FILTER_GAUSSIAN},
@@ -87,6 +98,7 @@ constexpr auto LIGHT_RAY_CHOICES = choices_of(LIGHT_RAYS);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
 constexpr auto SAMPLER_CHOICES = choices_of(SAMPLERS);
 constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
+constexpr auto TRIANGLE_SAMPLING_CHOICES = choices_of(TRIANGLE_SAMPLINGS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
 
 template <class Row>
@@ -108,6 +120,7 @@ std::span<const Choice> light_ray_choices() { return LIGHT_RAY_CHOICES; }
 std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
 std::span<const Choice> samplers() { return SAMPLER_CHOICES; }
 std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
+std::span<const Choice> triangle_samplings() { return TRIANGLE_SAMPLING_CHOICES; }
 std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
 
 const IntegratorRow& find_integrator(std::string_view name) {
@@ -130,6 +143,14 @@ std::uint32_t find_sampler(std::string_view name) {
 }
 std::uint32_t find_naive_sampling(std::string_view name) {
     return find(std::span<const ConstantRow>(NAIVE_SAMPLINGS), "naive sampling", name).constant;
+}
+std::uint32_t choose_triangle_sampling(std::string_view name, std::uint32_t features) {
+    const std::uint32_t wanted =
+        find(std::span<const ConstantRow>(TRIANGLE_SAMPLINGS), "triangle sampling", name).constant;
+    if (wanted == TRIANGLES_AS_THEY_ARE || (features & shared::FEATURE_EMISSIVE_TRIANGLES) == 0)
+        return features;
+    const std::uint32_t others = features & ~shared::FEATURE_WIDE_TRIANGLES;
+    return wanted == TRIANGLES_WIDE ? others | shared::FEATURE_WIDE_TRIANGLES : others;
 }
 
 } // namespace ajar

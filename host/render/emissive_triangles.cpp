@@ -22,12 +22,29 @@ std::array<glm::vec2, 3> texture_coordinates(const Scene& scene, const TriangleS
 
 } // namespace
 
-std::vector<EmissiveTriangle> collect_emissive_triangles(const Scene& scene, const GeometryTable& geometry) {
+std::vector<EmissiveSphere> collect_emissive_spheres(const Scene& scene) {
+    std::vector<EmissiveSphere> spheres;
+    for (std::uint32_t i = 0; i < scene.instances.size() && spheres.size() < shared::MAX_SOFT_LIGHTS; ++i) {
+        const Instance& instance = scene.instances[i];
+        const std::vector<std::uint32_t>& materials = scene.meshes[instance.mesh].triangle_materials;
+        if (!(instance.sphere_radius > 0) || materials.empty()) continue;
+        const Material& material = scene.materials[materials[0]];
+        if (material.unlit || material.emission == glm::vec3(0)) continue;
+        spheres.push_back({i, instance.sphere_center, instance.sphere_radius, material.emission});
+    }
+    return spheres;
+}
+
+std::vector<EmissiveTriangle> collect_emissive_triangles(const Scene& scene, const GeometryTable& geometry,
+                                                         std::span<const EmissiveSphere> spheres) {
     EmissionMeans means(scene);
+    std::vector<bool> is_sphere(scene.instances.size());
+    for (const EmissiveSphere& sphere : spheres) is_sphere[sphere.instance] = true;
     std::vector<EmissiveTriangle> emitters;
     for (std::uint32_t k = 0; k < geometry.world_triangles; ++k) {
         const shared::TriangleRecord& t = geometry.triangles[k];
         const Material& material = scene.materials[t.material];
+        if (is_sphere[geometry.sources[k].instance]) continue;
         if (material.unlit || material.emission == glm::vec3(0)) continue;
         EmissiveTriangle e;
         e.p0 = bvh::record_vertex(t, 0);

@@ -99,15 +99,25 @@ void GpuScene::place_environment(const std::optional<Environment>& chosen, Host&
 }
 
 void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host) {
-    const std::vector<EmissiveTriangle> emitters = collect_emissive_triangles(scene, host.geometry);
-    for (std::size_t i = 0; i < emitters.size(); ++i) {
-        const std::size_t record = std::size_t{emitters[i].triangle} * host.geometry.surface_words;
-        host.geometry.surfaces[record + offsetof(SurfaceRecord, light) / 4] = static_cast<std::uint32_t>(i);
-    }
+    const std::vector<EmissiveSphere> spheres = collect_emissive_spheres(scene);
+    const std::vector<EmissiveTriangle> emitters = collect_emissive_triangles(scene, host.geometry, spheres);
+    const auto light_of = [&](std::size_t triangle) -> std::uint32_t& {
+        return host.geometry
+            .surfaces[triangle * host.geometry.surface_words + offsetof(SurfaceRecord, light) / 4];
+    };
+    for (std::uint32_t i = 0; i < emitters.size(); ++i) light_of(emitters[i].triangle) = i;
+    const auto marked = [](const Instance& i) { return i.sphere_radius > 0; };
+    spheres_left_out_ =
+        static_cast<std::uint32_t>(std::count_if(scene.instances.begin(), scene.instances.end(), marked) -
+                                   static_cast<std::ptrdiff_t>(spheres.size()));
+    std::vector<bool> is_sphere(scene.instances.size());
+    for (const EmissiveSphere& sphere : spheres) is_sphere[sphere.instance] = true;
+    for (std::uint32_t k = 0; k < host.geometry.world_triangles; ++k)
+        if (is_sphere[host.geometry.sources[k].instance]) light_of(k) = LIGHT_ELSEWHERE;
     Scene lighting; // what the table looks at
     lighting.lights = scene.lights;
     lighting.environment = environment;
-    host.lights = build_light_table(lighting, emitters, frame_.scene_radius);
+    host.lights = build_light_table(lighting, emitters, frame_.scene_radius, spheres);
     features_ |= host.lights.features;
     host.lights.describe(frame_);
     light_tree_seconds_ = host.lights.tree.seconds;

@@ -36,6 +36,8 @@ class GpuScene {
 
     std::uint64_t triangle_count() const { return triangle_count_; }
     std::uint64_t device_bytes() const;
+    // Meshes marked as spheres that emit by their triangles all the same, since there are too many.
+    std::uint32_t spheres_left_out() const { return spheres_left_out_; }
     double bvh_seconds() const { return bvh_seconds_; }
     double light_tree_seconds() const { return light_tree_seconds_; }
 
@@ -53,6 +55,7 @@ class GpuScene {
     bool suits_shadow_packets_ = false;
     std::uint32_t texel_buffers_ = 1;
     std::uint64_t triangle_count_ = 0;
+    std::uint32_t spheres_left_out_ = 0;
     double bvh_seconds_ = 0;
     double light_tree_seconds_ = 0;
 };

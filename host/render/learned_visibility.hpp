@@ -1,6 +1,6 @@
 // What the light sampler `visibility` knows: for cells of surface points, the share of shadow rays that
-// arrived from each node of the light tree's first levels. Learned in a pass of its own from a fixed number of
-// samples, by integer sums, then frozen: no sample of the image depends on which others were taken.
+// arrived from each node of the light tree's first levels. Learned in a pass of its own from a fixed number
+// of samples, by integer sums, then frozen: no sample of the image depends on which others were taken.
 #pragma once
 
 #include "gpu/bindings.hpp"
@@ -35,9 +35,9 @@ class LearnedVisibility {
     bool frozen_ = false;
 };
 
-// Shares of one cell from its VISIBILITY_COUNTERS counts, as light_visibility.glsl.h lays them out: those of a
-// node with few rays lean towards its parent's, and none is below 1/64, so that a light seen by no ray of the
-// pass keeps its chance.
+// Shares of one cell from its VISIBILITY_COUNTERS counts, as light_visibility.glsl.h lays them out: those of
+// a node with few rays lean towards its parent's, and none is below 1/64, so that a light seen by no ray of
+// the pass keeps its chance.
 std::vector<std::uint8_t> freeze_cell(std::span<const shared::VisibilityCount> counts);
 
 } // namespace ajar

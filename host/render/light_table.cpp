@@ -1,66 +1,34 @@
-// Records, powers and bounds of lights.
+// The table of all lights, and the distributions over them.
 #include "render/light_table.hpp"
 
 #include "render/alias_table.hpp"
-#include "render/environment_table.hpp"
-#include "render/luminance.hpp"
+#include "render/light_records.hpp"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstring>
-#include <numbers>
 
 namespace ajar {
+
 namespace {
 
-using std::numbers::pi;
+// Sampling by solid angle costs a constant and gains with how large triangles are seen. On lavapipe the two
+// meet where the mean triangle, by power, has about a sixteenth of the scene's radius squared
+// (shaders/lights).
+constexpr double WIDE_AREA = 1.0 / 16;
 
-// angle scale and offset of KHR_lights_punctual's recommended spot profile.
-glm::vec2 spot_scale_offset(const Light& light) {
-    const float outer = std::cos(light.outer_cone_angle);
-    const float scale = 1.0f / std::max(0.001f, std::cos(light.inner_cone_angle) - outer);
-    return {scale, -outer * scale};
-}
-
-double positive(double x) { return std::isfinite(x) && x > 0 ? x : 0; }
-
-// A scene without extent still gets its light.
-double disk_area(float scene_radius) {
-    return pi * (scene_radius > 0 ? double{scene_radius} * scene_radius : 1.0);
-}
-
-shared::LightRecord triangle_record(const EmissiveTriangle& t) {
-    shared::LightRecord record{};
-    record.p0 = t.p0;
-    record.p1 = t.p1;
-    record.p2 = t.p2;
-    record.kind = shared::LIGHT_TRIANGLE | (t.two_sided ? shared::LIGHT_TWO_SIDED : 0u) |
-                  (t.textured ? shared::LIGHT_TEXTURED : 0u);
-    record.triangle = t.triangle;
-    record.radiance = t.emission;
-    return record;
-}
-
-shared::LightRecord punctual_record(const Light& light) {
-    shared::LightRecord record{};
-    record.p0 = light.position;
-    record.p1 = light.direction;
-    record.p2.x = light.range > 0 ? 1 / (light.range * light.range) : 0;
-    record.radiance = light.intensity;
-    record.kind = shared::LIGHT_POINT;
-    if (light.kind == LightKind::directional) record.kind = shared::LIGHT_DIRECTIONAL;
-    if (light.kind == LightKind::spot) {
-        record.kind = shared::LIGHT_SPOT;
-        const glm::vec2 profile = spot_scale_offset(light);
-        record.p2.y = profile.x;
-        record.p2.z = profile.y;
+bool are_wide(std::span<const EmissiveTriangle> triangles, float scene_radius) {
+    double area_power = 0;
+    double power = 0;
+    for (const EmissiveTriangle& t : triangles) {
+        if (!(light_power(t) > 0)) continue;
+        area_power += light_power(t) * t.area;
+        power += light_power(t);
     }
-    return record;
+    return area_power > WIDE_AREA * scene_radius * scene_radius * power;
 }
 
-// The distribution over lights that are nowhere; their share goes into LightRecord::distant_pmf.
+// The distribution over lights that are nowhere; their share goes into LightRecord::p2.x.
 void add_distant(const std::vector<double>& weights, LightTable& table) {
     std::vector<double> irradiances;
     std::vector<std::uint32_t> lights;
@@ -81,98 +49,85 @@ void add_distant(const std::vector<double>& weights, LightTable& table) {
         entry.other = light_of(entry.other);
         table.distant.push_back(entry);
     }
-    for (std::size_t i = 0; i < lights.size(); ++i) table.lights[lights[i]].distant_pmf = alias.pmf[i];
+    for (std::size_t i = 0; i < lights.size(); ++i) table.lights[lights[i]].p2.x = alias.pmf[i];
 }
+
+// Lights in the order of LightTable::lights, with what the distributions are made of.
+class Builder {
+  public:
+    Builder(const Scene& scene, float scene_radius) : scene_(scene), radius_(scene_radius) {}
+
+    LightTable build(std::span<const EmissiveTriangle> triangles, std::span<const EmissiveSphere> spheres) {
+        for (const EmissiveTriangle& t : triangles)
+            add(triangle_record(t), light_power(t), shared::FEATURE_EMISSIVE_TRIANGLES, light_bounds(t));
+        if (are_wide(triangles, radius_)) table_.features |= shared::FEATURE_WIDE_TRIANGLES;
+        for (const Light& light : scene_.lights)
+            if (!is_soft(light)) add(light, shared::FEATURE_PUNCTUAL_LIGHTS);
+        add_soft_lights(spheres);
+        add_environment();
+        AliasTable alias = build_alias_table(table_.powers);
+        for (std::size_t i = 0; i < table_.lights.size(); ++i) table_.lights[i].power_pmf = alias.pmf[i];
+        table_.alias = std::move(alias.entries);
+        add_distant(irradiances_, table_);
+        table_.tree = build_light_tree(bounds_);
+        return std::move(table_);
+    }
+
+  private:
+    // A light without place has no bounds, others have no irradiance of their own.
+    void add(const shared::LightRecord& record, double power, std::uint32_t feature,
+             const LightBounds& bounds, double irradiance = 0) {
+        table_.lights.push_back(record);
+        table_.powers.push_back(power);
+        table_.features |= feature;
+        bounds_.push_back(bounds);
+        irradiances_.push_back(irradiance);
+    }
+    void add(const Light& light, std::uint32_t feature) {
+        add(light_record(light), light_power(light, radius_), feature, light_bounds(light),
+            distant_irradiance(light));
+    }
+
+    // Suns before lamps: they are few, and the more it costs to miss one.
+    void add_soft_lights(std::span<const EmissiveSphere> spheres) {
+        table_.soft_first = static_cast<std::uint32_t>(table_.lights.size());
+        for (const EmissiveSphere& s : spheres)
+            add(sphere_record(s), light_power(s), shared::FEATURE_SOFT_LIGHTS, light_bounds(s));
+        for (const bool suns : {true, false})
+            for (const Light& light : scene_.lights)
+                if (is_soft(light) && (light.kind == LightKind::directional) == suns)
+                    add(light, shared::FEATURE_SOFT_LIGHTS);
+        const auto count = static_cast<std::uint32_t>(table_.lights.size()) - table_.soft_first;
+        table_.soft_count = std::min(count, shared::MAX_SOFT_LIGHTS);
+        for (std::uint32_t i = table_.soft_count; i < count; ++i)
+            table_.lights[table_.soft_first + i].kind |= shared::LIGHT_UNMET;
+    }
+
+    void add_environment() {
+        if (!scene_.environment) return;
+        const Environment& environment = *scene_.environment;
+        shared::LightRecord record{};
+        record.kind = shared::LIGHT_ENVIRONMENT;
+        record.radiance = environment.scale;
+        table_.environment_light = static_cast<std::uint32_t>(table_.lights.size());
+        add(record, light_power(environment, radius_),
+            environment.radiance.empty() ? shared::FEATURE_CONSTANT_ENVIRONMENT
+                                         : shared::FEATURE_ENVIRONMENT_MAP,
+            {}, distant_irradiance(environment));
+    }
+
+    const Scene& scene_;
+    float radius_;
+    LightTable table_;
+    std::vector<LightBounds> bounds_; // per light; without intensity: not in the tree
+    std::vector<double> irradiances_; // per light
+};
 
 } // namespace
 
-double light_power(const EmissiveTriangle& t) {
-    return positive(pi * t.area * luminance(t.emission) * (t.two_sided ? 2 : 1));
-}
-
-double light_power(const Light& light, float scene_radius) {
-    const double intensity = luminance(light.intensity);
-    if (light.kind == LightKind::directional) return positive(intensity * disk_area(scene_radius));
-    if (light.kind == LightKind::point) return positive(4 * pi * intensity);
-    // 2 pi times the integral over c = cos from outer to 1 of min(1, (c - outer) scale)^2.
-    const double outer = std::cos(light.outer_cone_angle);
-    const double scale = spot_scale_offset(light).x;
-    const double inner = std::min(1.0, outer + 1 / scale);
-    const double ramp = (inner - outer) * scale;
-    return positive(2 * pi * intensity * (ramp * ramp * ramp / (3 * scale) + (1 - inner)));
-}
-
-double light_power(const Environment& environment, float scene_radius) {
-    return positive(4 * pi * luminance(mean_radiance(environment)) * disk_area(scene_radius));
-}
-
-LightBounds light_bounds(const EmissiveTriangle& t) {
-    LightBounds b;
-    b.lower = glm::min(t.p0, glm::min(t.p1, t.p2));
-    b.upper = glm::max(t.p0, glm::max(t.p1, t.p2));
-    const glm::vec3 normal = glm::cross(t.p1 - t.p0, t.p2 - t.p0);
-    const float length = glm::length(normal);
-    b.axis = length > 0 ? normal / length : glm::vec3(0, 0, 1);
-    b.two_sided = t.two_sided;
-    b.intensity = positive(t.area * luminance(t.emission));
-    return b;
-}
-
-LightBounds light_bounds(const Light& light) {
-    LightBounds b;
-    if (light.kind == LightKind::directional) return b;
-    b.lower = b.upper = light.position;
-    b.intensity = positive(luminance(light.intensity));
-    b.cos_normals = -1;
-    if (light.kind == LightKind::spot) {
-        b.axis = light.direction;
-        b.cos_normals = 1;
-        b.cos_emission = std::cos(light.outer_cone_angle);
-    }
-    return b;
-}
-
-double distant_irradiance(const Light& light) {
-    return light.kind == LightKind::directional ? positive(luminance(light.intensity)) : 0;
-}
-
-double distant_irradiance(const Environment& environment) {
-    return positive(pi * luminance(mean_radiance(environment)));
-}
-
 LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
-                             float scene_radius) {
-    LightTable table;
-    std::vector<LightBounds> bounds;     // per light; without intensity: not in the tree
-    std::vector<double> distant_weights; // per light
-    const auto add = [&](const shared::LightRecord& record, double power, const LightBounds& where,
-                         double irradiance, std::uint32_t feature) {
-        table.lights.push_back(record);
-        table.powers.push_back(power);
-        bounds.push_back(where);
-        distant_weights.push_back(irradiance);
-        table.features |= feature;
-    };
-    for (const EmissiveTriangle& t : triangles)
-        add(triangle_record(t), light_power(t), light_bounds(t), 0, shared::FEATURE_EMISSIVE_TRIANGLES);
-    for (const Light& light : scene.lights)
-        add(punctual_record(light), light_power(light, scene_radius), light_bounds(light),
-            distant_irradiance(light), shared::FEATURE_PUNCTUAL_LIGHTS);
-    if (scene.environment) {
-        shared::LightRecord record{};
-        record.kind = shared::LIGHT_ENVIRONMENT;
-        record.radiance = scene.environment->scale;
-        table.environment_light = static_cast<std::uint32_t>(table.lights.size());
-        add(record, light_power(*scene.environment, scene_radius), {}, distant_irradiance(*scene.environment),
-            scene.environment->radiance.empty() ? shared::FEATURE_CONSTANT_ENVIRONMENT
-                                                : shared::FEATURE_ENVIRONMENT_MAP);
-    }
-    AliasTable alias = build_alias_table(table.powers);
-    for (std::size_t i = 0; i < table.lights.size(); ++i) table.lights[i].power_pmf = alias.pmf[i];
-    table.alias = std::move(alias.entries);
-    add_distant(distant_weights, table);
-    table.tree = build_light_tree(bounds);
-    return table;
+                             float scene_radius, std::span<const EmissiveSphere> spheres) {
+    return Builder(scene, scene_radius).build(triangles, spheres);
 }
 
 namespace {
@@ -213,6 +168,8 @@ void LightTable::describe(shared::FrameRecord& frame) const {
     const Layout at(*this);
     frame.light_count = static_cast<std::uint32_t>(lights.size());
     frame.environment_light = environment_light;
+    frame.soft_first = soft_first;
+    frame.soft_count = soft_count;
     frame.alias_first = at.alias;
     frame.distant_first = at.distant;
     frame.distant_slots = static_cast<std::uint32_t>(distant.size());

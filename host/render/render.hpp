@@ -24,6 +24,7 @@ std::span<const Choice> light_samplers();
 std::span<const Choice> light_ray_choices();
 std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();
+std::span<const Choice> triangle_samplings();
 std::span<const Choice> pixel_filters();
 
 struct RenderStats {

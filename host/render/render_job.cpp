@@ -63,6 +63,7 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
 
 gpu::Specialization RenderJob::specialization() const {
     std::uint32_t features = gpu_scene_.features();
+    features = choose_triangle_sampling(settings_.triangle_sampling, features);
     if (camera_.kind == CameraKind::orthographic) features |= FEATURE_ORTHOGRAPHIC;
     const bool fits = visibility_ == nullptr || visibility_->fits_texel_buffer(device_);
     const bool texels = gpu_scene_.texel_buffers() != 0 && fits && !device_.options().force_pointers;

@@ -6,6 +6,7 @@
 #include "render/choices.hpp"
 #include "render/render_job.hpp"
 #include "render/sample_sequence.hpp"
+#include "shaders/shared/light.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ void check(const RenderSettings& s) {
 struct Renderer::Impl {
     const gpu::Device& device;
     const Scene& scene;
+    WarningSink warn;
     GpuSceneOptions scene_options{};
     std::optional<GpuScene> gpu_scene{};
     double prepare_seconds = 0;
@@ -54,6 +56,10 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
     visibility.reset();
     scene_options = wanted;
     gpu_scene.emplace(device, scene, scene_options);
+    if (warn && gpu_scene->spheres_left_out() > 0)
+        warn(fmt::format(
+            "{} of the meshes marked as spheres emit by their triangles: no more than {} can be spheres",
+            gpu_scene->spheres_left_out(), shared::MAX_SOFT_LIGHTS));
     prepare_seconds = seconds_since(start);
 }
 
@@ -71,8 +77,8 @@ LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings
     return &*visibility;
 }
 
-Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningSink&)
-    : impl_(new Impl{device, scene}) {
+Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningSink& warn)
+    : impl_(new Impl{device, scene, warn}) {
     validate(scene);
 }
 

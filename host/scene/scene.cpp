@@ -66,6 +66,9 @@ Bounds mesh_bounds(const Mesh& mesh) {
 
 // The corners of the mesh's box bound everything in it.
 void validate_instance(const Instance& instance, const Bounds& box) {
+    if (!finite(instance.sphere_center) ||
+        !(instance.sphere_radius >= 0 && instance.sphere_radius <= FARTHEST))
+        throw Error(fmt::format("node '{}': its sphere is not finite", instance.name));
     for (int c = 0; c < 4; ++c)
         if (!finite(glm::vec3(instance.to_world[c])))
             throw Error(fmt::format("node '{}': its transform is not finite", instance.name));
@@ -104,6 +107,11 @@ void validate(const Scene& scene) {
     for (const Light& light : scene.lights)
         if (!finite(light.intensity) || !finite(light.position) || !finite(light.direction))
             throw Error(fmt::format("light '{}': a value is not finite", light.name));
+    for (const Light& light : scene.lights)
+        if (!(light.radius >= 0 && light.radius <= FARTHEST) ||
+            !(light.angular_diameter >= 0 && light.angular_diameter <= 3.1415928f))
+            throw Error(
+                fmt::format("light '{}': its radius or angular diameter is out of range", light.name));
     if (scene.environment) {
         const Environment& e = *scene.environment;
         if (!e.radiance.empty() && e.radiance.size() != std::size_t{1} * e.width * e.height)

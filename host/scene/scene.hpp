@@ -1,5 +1,5 @@
-// A scene as plain data: what an importer produces and a renderer consumes. No GPU, no files.
-// Units are glTF's: metres, radians, right-handed, +Y up; colours are linear Rec. 709 unless said otherwise.
+// A scene as plain data: what an importer produces and a renderer consumes. No GPU, no files. Units are
+// glTF's: metres, radians, right-handed, +Y up; colours are linear Rec. 709 unless said otherwise.
 #pragma once
 
 #include <cmath>
@@ -88,6 +88,10 @@ struct Instance {
     std::string name; // the node's
     std::uint32_t mesh = 0;
     glm::mat4 to_world{1};
+    // Above 0: it emits as this sphere, which holds all its vertices, instead of by its triangles:
+    // outwards, the emission of its first triangle's material. World, metres.
+    float sphere_radius = 0;
+    glm::vec3 sphere_center{0, 0, 0};
 };
 
 enum class LightKind : std::uint8_t { point, spot, directional };
@@ -103,6 +107,8 @@ struct Light {
     float range = 0;            // metres; 0: unlimited. Beyond it the light is cut off as the extension says
     float inner_cone_angle = 0; // radians from the axis
     float outer_cone_angle = 0.785398163f;
+    float radius = 0;           // metres; point, spot: of a sphere of that intensity; 0: a point
+    float angular_diameter = 0; // radians; directional: of the disk that it comes from; 0: parallel
 };
 
 enum class CameraKind : std::uint8_t { perspective, orthographic };
@@ -117,8 +123,8 @@ struct Camera {
 };
 
 // Radiance from all around: an equirectangular map (u = atan2(z, x) / 2 pi + 1/2, v = 0 at +Y, row 0 at v =
-// 0) times `scale`, or the constant `scale` where `radiance` is empty. `rotation` turns the map about +Y, in
-// radians.
+// 0) times `scale`, or the constant `scale` where `radiance` is empty. `rotation` turns the map about +Y,
+// in radians.
 struct Environment {
     std::string name;
     std::uint32_t width = 0;

@@ -19,8 +19,8 @@ struct Surface {
     uint material;
     uint light;       // LightRecord this triangle is, or NO_LIGHT
     uint object;      // index in Scene::instances
+    bool emits;       // false: its mesh emits as a sphere instead, which rays meet elsewhere
     bool back_face;
-    float area;       // of the triangle, world, m^2
 };
 
 struct SurfaceCoordinates {
@@ -92,7 +92,8 @@ Surface surface_at(uint triangle, uint instance, float u, float v, vec3 directio
     vec3 n = w.x * octahedral_decode(a.x) + w.y * octahedral_decode(a.y) + w.z * octahedral_decode(a.z);
     s.material = a.w;
     s.uv0 = w.x * uintBitsToFloat(b.xy) + w.y * uintBitsToFloat(b.zw) + w.z * uintBitsToFloat(c.xy);
-    s.light = c.z;
+    s.emits = !has_feature(FEATURE_SOFT_LIGHTS) || c.z != LIGHT_ELSEWHERE;
+    s.light = s.emits ? c.z : NO_LIGHT;
     s.object = c.w;
     s.uv1 = s.uv0;
     s.color = vec4(1.0);
@@ -124,7 +125,6 @@ Surface surface_at(uint triangle, uint instance, float u, float v, vec3 directio
     s.position = w.x * p0 + w.y * p1 + w.z * p2;
     vec3 cross_edges = cross(p1 - p0, p2 - p0);
     float twice_area = length(cross_edges);
-    s.area = 0.5 * twice_area;
     s.ng = cross_edges / max(twice_area, 1e-37);
     s.ng = flipped ? -s.ng : s.ng;
     float length2 = dot(n, n);

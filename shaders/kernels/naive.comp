@@ -8,6 +8,7 @@
 #include "../core/scan.glsl"
 #include "../core/warps.glsl"
 #include "../lights/environment.glsl"
+#include "../lights/soft.glsl"
 #include "../material/vertex.glsl"
 
 layout(push_constant, scalar) uniform ArgsBlock { NaiveArgs args; };
@@ -21,16 +22,27 @@ BsdfSample sample_direction(Vertex v, Sampler points, uint dimension) {
     return BsdfSample(wi, bsdf_eval(v.bsdf, v.wo, wi) * MATH_PI, warps_cosine_hemisphere_pdf(wi.z), false);
 }
 
+// Spheres and suns, which are in no hierarchy; `limit`: where the ray ends.
+vec3 met_soft_lights(PathState path, float limit) {
+    vec3 sum = vec3(0.0);
+    uvec2 found = soft_meet(path.origin, path.direction, limit, args.segments.bounce == 0u);
+    while (any(notEqual(found, uvec2(0u)))) sum += soft_lookup(soft_next(found), path.origin).rgb;
+    return sum;
+}
+
 // False when the path ends here.
 bool bounce(inout PathState path) {
     bool alive = false;
     vec3 beta = path.beta;
     vec3 emission;
+    PathState arrived = path;
+    float limit = LIGHT_FAR;
     if (path.triangle == NO_TRIANGLE) {
         emission = environment_radiance(path.direction);
     } else {
         Vertex v = vertex_at(path);
         emission = vertex_emission(v);
+        limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
         bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
             Sampler points = segment_sampler(args.segments, path.home);
@@ -48,6 +60,7 @@ bool bounce(inout PathState path) {
             }
         }
     }
+    if (has_feature(FEATURE_SOFT_LIGHTS)) emission += met_soft_lights(arrived, limit);
     if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }

@@ -8,39 +8,10 @@
 #include "../core/scan.glsl"
 #include "../lights/light.glsl"
 #include "../lights/light_sampler.glsl"
-#include "../lights/mis.glsl"
+#include "../lights/met.glsl"
 #include "../material/vertex.glsl"
 
 layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
-
-// The normal at a vertex as light samplers see it, there and when its path meets a light.
-vec3 sampler_normal(vec3 ng) { return LIGHT_SAMPLER_LOOKS ? octahedral_decode(octahedral_encode(ng)) : ng; }
-
-// Probability with which the vertex that the path left last would have picked the light that it met.
-float pick_pmf(PathState path, uint light) {
-    if (STRATEGY == STRATEGY_BSDF) return 0.0;
-    if (OPTION == SHADE_SCATTER) return 1.0;
-    vec3 normal = LIGHT_SAMPLER_LOOKS ? octahedral_decode(path_normal_load(path.home)) : vec3(0.0);
-    return light_sampler_pmf(path.origin, normal, light);
-}
-
-vec3 missed(PathState path) {
-    if (!has_feature(FEATURE_ANY_ENVIRONMENT)) return vec3(0.0);
-    vec4 radiance_pdf = environment_lookup(path.direction);
-    float pmf = pick_pmf(path, frame.environment_light);
-    return radiance_pdf.rgb * mis_emission_weight(path.pdf, pmf * radiance_pdf.a);
-}
-
-vec3 met_emission(PathState path, Vertex v) {
-    float light_pdf = 0.0;
-    if (has_feature(FEATURE_EMISSIVE_TRIANGLES)) {
-        float distance = length(v.surface.position - path.origin);
-        float pdf = light_pdf_triangle(path.direction, distance, v.surface.ng, v.surface.area);
-        bool is_light = v.surface.light != NO_LIGHT;
-        light_pdf = is_light ? pdf * pick_pmf(path, v.surface.light) : 0.0;
-    }
-    return vertex_emission(v) * mis_emission_weight(path.pdf, light_pdf);
-}
 
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
 LightPick pick_light(Vertex v, Sampler points, uint dimension) {
@@ -98,11 +69,16 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
     bool alive = false;
     vec3 beta = path.beta;
     vec3 emission;
+    const bool every = OPTION == SHADE_SCATTER;
+    PathState arrived = path;
+    vec3 left = met_normal(path);
+    float limit = LIGHT_FAR;
     if (path.triangle == NO_TRIANGLE) {
-        emission = missed(path);
+        emission = met_environment(path, left, every);
     } else {
         Vertex v = vertex_at(path);
-        emission = met_emission(path, v);
+        emission = met_surface(path, left, v, every);
+        limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
         bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
             Sampler points = segment_sampler(args.segments, path.home);
@@ -113,6 +89,8 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
         }
     }
     if (OPTION == SHADE_LIGHT) return false;
+    if (has_feature(FEATURE_SOFT_LIGHTS))
+        emission += met_soft_lights(arrived, left, limit, args.segments.bounce == 0u, every);
     if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }

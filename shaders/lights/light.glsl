@@ -3,7 +3,9 @@
 #define AJAR_LIGHT_GLSL
 #include "directional.glsl"
 #include "environment.glsl"
+#include "sphere.glsl"
 #include "spot.glsl"
+#include "sun.glsl"
 #include "triangle.glsl"
 
 const uint FEATURE_ANY_ENVIRONMENT = FEATURE_ENVIRONMENT_MAP | FEATURE_CONSTANT_ENVIRONMENT;
@@ -25,7 +27,11 @@ LightSample light_sample(uint light, vec3 point, vec2 u) {
     if (has_feature(FEATURE_ANY_ENVIRONMENT)) {
         if (kind == LIGHT_ENVIRONMENT) s = light_environment_sample(u);
     }
-    if (kind != LIGHT_TRIANGLE) s.reach = s.distance;
+    if (has_feature(FEATURE_SOFT_LIGHTS)) {
+        if (kind == LIGHT_SPHERE) s = light_sphere_sample(record, point, u);
+        if (kind == LIGHT_SUN) s = light_sun_sample(record, u);
+    }
+    if (kind != LIGHT_TRIANGLE && kind != LIGHT_SPHERE) s.reach = s.distance;
     return s;
 }
 

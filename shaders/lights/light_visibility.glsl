@@ -1,5 +1,5 @@
-// Cells of surface points and what they learned about the light tree's nodes (light_visibility.glsl.h). A cell
-// holds points near each other, as near as they are far from the camera (Binder et al. 2019, "Massively
+// Cells of surface points and what they learned about the light tree's nodes (light_visibility.glsl.h). A
+// cell holds points near each other, as near as they are far from the camera (Binder et al. 2019, "Massively
 // Parallel Path Space Filtering"), that face the same way.
 #ifndef AJAR_LIGHT_VISIBILITY_GLSL
 #define AJAR_LIGHT_VISIBILITY_GLSL

@@ -6,8 +6,8 @@
 #define AJAR_SAMPLER_TREE_GLSL
 #include "light_tree.glsl"
 
-const uint FEATURE_DISTANT_LIGHTS = FEATURE_PUNCTUAL_LIGHTS | FEATURE_ENVIRONMENT_MAP |
-                                    FEATURE_CONSTANT_ENVIRONMENT;
+const uint FEATURE_DISTANT_LIGHTS = FEATURE_PUNCTUAL_LIGHTS | FEATURE_SOFT_LIGHTS |
+                                    FEATURE_ENVIRONMENT_MAP | FEATURE_CONSTANT_ENVIRONMENT;
 const float SAMPLER_TREE_LEAST_SHARE = 0.1;
 
 // Probability of the distant lights.
@@ -26,6 +26,13 @@ float sampler_tree_distant_share(vec3 point, vec3 normal, uint cell) {
     return distant > 0.0 ? alone : 0.0;
 }
 
+// Share of a light among the distant ones; 0 for one that is somewhere.
+float sampler_tree_distant_pmf(uint light) {
+    const uint kind = fetch_light(light * LIGHT_TEXELS).w & LIGHT_KIND_MASK;
+    const bool distant = kind == LIGHT_DIRECTIONAL || kind == LIGHT_ENVIRONMENT || kind == LIGHT_SUN;
+    return distant ? uintBitsToFloat(fetch_light(light * LIGHT_TEXELS + 2u).x) : 0.0;
+}
+
 // By the alias method, as sampler_power.glsl.
 LightPick sampler_tree_pick_distant(float u) {
     const float scaled = u * float(frame.distant_slots);
@@ -36,7 +43,7 @@ LightPick sampler_tree_pick_distant(float u) {
     const bool kept = rest < keep;
     LightPick pick;
     pick.light = kept ? entry.z : entry.y;
-    pick.pmf = uintBitsToFloat(fetch_light(pick.light * LIGHT_TEXELS + 3u).w);
+    pick.pmf = sampler_tree_distant_pmf(pick.light);
     pick.u = min(kept ? rest / keep : (rest - keep) / (1.0 - keep), LIGHT_PICK_BELOW_ONE);
     return pick;
 }
@@ -71,8 +78,7 @@ float sampler_tree_pmf(vec3 point, vec3 normal, uint light) {
     if (trail != NO_TRAIL)
         pmf = (1.0 - share) * light_tree_descend(point, normal, cell, 0.0, trail, true).pmf;
     if (has_feature(FEATURE_DISTANT_LIGHTS)) {
-        const float distant = uintBitsToFloat(fetch_light(light * LIGHT_TEXELS + 3u).w);
-        pmf = distant > 0.0 ? share * distant : pmf;
+        pmf += share * sampler_tree_distant_pmf(light);
     }
     return pmf;
 }

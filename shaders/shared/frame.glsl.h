@@ -77,8 +77,10 @@ struct FrameRecord {
     uint trails_first;           // texel in BIND_LIGHTS: trails, four a texel
     float sample_clamp;          // no channel of a sample is above this
     uint sequence_log2;          // blue noise: the sequence has 2^sequence_log2 samples a pixel
+    uint soft_first;             // the first LightRecord that a ray must be tried against (light.glsl.h)
+    uint soft_count;
 };
-DUAL_SIZE(FrameRecord, 312);
+DUAL_SIZE(FrameRecord, 320);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;

@@ -11,7 +11,7 @@ struct SurfaceRecord {
     uint normal[3];   // vertex normals, the frame of the triangle's positions
     uint material;    // index of the MaterialRecord
     vec2 uv0[3];
-    uint light;       // index of the LightRecord this triangle is, or NO_LIGHT
+    uint light;       // index of the LightRecord this triangle is, NO_LIGHT or LIGHT_ELSEWHERE
     uint object;      // index in Scene::instances of what was baked into the world; else see InstanceRecord
 };
 DUAL_SIZE(SurfaceRecord, 48);
@@ -28,6 +28,7 @@ DUAL_SIZE(SurfaceExtension, 64);
 const uint SURFACE_TEXELS = 3;
 const uint SURFACE_EXTENDED_TEXELS = 7;
 const uint NO_LIGHT = 0xffffffffu;
+const uint LIGHT_ELSEWHERE = 0xfffffffeu; // part of a mesh that emits as an analytic sphere (LIGHT_SPHERE)
 
 // BIND_INSTANCES. Instance 0 is the world itself (identity): all meshes that are used once, baked into world
 // space.

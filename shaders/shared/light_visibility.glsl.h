@@ -1,6 +1,6 @@
 // What was learned about which lights can be seen from where: for each cell of surface points, and each node
-// of the light tree's first levels, the share of shadow rays that arrived. Counted by connect in a pass of its
-// own, frozen by host/render/learned_visibility.cpp, read by lights/light_visibility.glsl.
+// of the light tree's first levels, the share of shadow rays that arrived. Counted by connect in a pass of
+// its own, frozen by host/render/learned_visibility.cpp, read by lights/light_visibility.glsl.
 #ifndef AJAR_LIGHT_VISIBILITY_GLSL_H
 #define AJAR_LIGHT_VISIBILITY_GLSL_H
 #include "dual.glsl.h"

@@ -34,6 +34,8 @@ const uint FEATURE_CONSTANT_ENVIRONMENT = 1u << 10;
 const uint FEATURE_UNLIT = 1u << 11;
 const uint FEATURE_EMISSION_TEXTURES = 1u << 12;
 const uint FEATURE_ORTHOGRAPHIC = 1u << 13;
+const uint FEATURE_SOFT_LIGHTS = 1u << 14;    // spheres, and suns of some width
+const uint FEATURE_WIDE_TRIANGLES = 1u << 15; // emissive triangles are sampled by solid angle, not by area
 
 const uint STRATEGY_BSDF = 0;
 const uint STRATEGY_LIGHT = 1;

@@ -136,6 +136,42 @@ Scene all_lights() {
     return scene;
 }
 
+// Under lights of some extent.
+void add_things(SceneBuilder& builder) {
+    builder.square({0, 0, 0}, {0, 1, 0}, 3, builder.material(lambert({0.5f, 0.5f, 0.5f})));
+    builder.sphere({-0.5f, 0.4f, 0}, 0.4f, 3, Normals::smooth,
+                   builder.material(metal({0.9f, 0.8f, 0.5f}, 0.4f)));
+    builder.sphere({0.5f, 0.4f, 0.2f}, 0.4f, 3, Normals::smooth,
+                   builder.material(plastic({0.2f, 0.4f, 0.7f}, 0.45f)));
+    builder.perspective({0, 1.2f, 3.5f}, {0, 0.35f, 0}, 0.6f);
+}
+
+// A lamp, a mesh that is a sphere and shows itself to the camera, and a lamp that one thing reaches into.
+Scene sphere_lights() {
+    SceneBuilder builder;
+    add_things(builder);
+    builder.point_light({-0.3f, 1.4f, 0.6f}, {1.5f, 1.2f, 0.8f}, 0.25f);
+    builder.sphere_light({0.1f, 0.3f, 0.7f}, 0.2f,
+                         builder.material(glowing_lambert({0.6f, 0.6f, 0.6f}, {2, 3, 4})));
+    builder.point_light({-0.5f, 0.8f, 0.1f}, {0.1f, 0.2f, 0.1f}, 0.2f);
+    return builder.build();
+}
+
+Scene soft_sun() {
+    SceneBuilder builder;
+    add_things(builder);
+    builder.directional_light({-0.5f, -1, -0.4f}, {3, 2.8f, 2.5f}, 0.5f);
+    builder.constant_environment({0.1f, 0.15f, 0.25f});
+    return builder.build();
+}
+
+Scene spot_with_radius() {
+    SceneBuilder builder;
+    add_things(builder);
+    builder.spot_light({0.4f, 1.6f, 0.9f}, {-0.3f, -1, -0.6f}, {4, 4, 3}, 0.3f, 0.7f, 0.3f);
+    return builder.build();
+}
+
 constexpr SmallScene SCENES[] = {
     {"DiffuseRoom", diffuse_room, true},
     {"GlossyRoom", glossy_room, true},
@@ -145,6 +181,9 @@ constexpr SmallScene SCENES[] = {
     {"ManyLights", many_lights, true},
     {"Cards", cards, true},
     {"AllLights", all_lights, true},
+    {"SphereLights", sphere_lights, true},
+    {"SoftSun", soft_sun, true},
+    {"SpotWithRadius", spot_with_radius, true},
 };
 
 } // namespace

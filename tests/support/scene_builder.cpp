@@ -197,8 +197,15 @@ void SceneBuilder::sphere(glm::vec3 center, float radius, int subdivisions, Norm
     add(std::move(mesh), material);
 }
 
-void SceneBuilder::point_light(glm::vec3 position, glm::vec3 intensity) {
+void SceneBuilder::sphere_light(glm::vec3 center, float radius, std::uint32_t material) {
+    sphere(center, radius, 3, Normals::smooth, material);
+    scene_.instances.back().sphere_center = center;
+    scene_.instances.back().sphere_radius = radius;
+}
+
+void SceneBuilder::point_light(glm::vec3 position, glm::vec3 intensity, float radius) {
     Light light;
+    light.radius = radius;
     light.kind = LightKind::point;
     light.position = position;
     light.intensity = intensity;
@@ -206,8 +213,8 @@ void SceneBuilder::point_light(glm::vec3 position, glm::vec3 intensity) {
 }
 
 void SceneBuilder::spot_light(glm::vec3 position, glm::vec3 direction, glm::vec3 intensity, float inner,
-                              float outer) {
-    point_light(position, intensity);
+                              float outer, float radius) {
+    point_light(position, intensity, radius);
     Light& light = scene_.lights.back();
     light.kind = LightKind::spot;
     light.direction = glm::normalize(direction);
@@ -215,8 +222,9 @@ void SceneBuilder::spot_light(glm::vec3 position, glm::vec3 direction, glm::vec3
     light.outer_cone_angle = outer;
 }
 
-void SceneBuilder::directional_light(glm::vec3 direction, glm::vec3 irradiance) {
+void SceneBuilder::directional_light(glm::vec3 direction, glm::vec3 irradiance, float angular_diameter) {
     Light light;
+    light.angular_diameter = angular_diameter;
     light.kind = LightKind::directional;
     light.direction = glm::normalize(direction);
     light.intensity = irradiance;

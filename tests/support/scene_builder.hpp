@@ -36,9 +36,13 @@ class SceneBuilder {
     // An icosahedron with its edges halved `subdivisions` times (20 * 4^subdivisions triangles).
     void sphere(glm::vec3 center, float radius, int subdivisions, Normals normals, std::uint32_t material);
 
-    void point_light(glm::vec3 position, glm::vec3 intensity);
-    void spot_light(glm::vec3 position, glm::vec3 direction, glm::vec3 intensity, float inner, float outer);
-    void directional_light(glm::vec3 direction, glm::vec3 irradiance);
+    // A sphere() that emits as the sphere itself; the material's emission counts.
+    void sphere_light(glm::vec3 center, float radius, std::uint32_t material);
+
+    void point_light(glm::vec3 position, glm::vec3 intensity, float radius = 0);
+    void spot_light(glm::vec3 position, glm::vec3 direction, glm::vec3 intensity, float inner, float outer,
+                    float radius = 0);
+    void directional_light(glm::vec3 direction, glm::vec3 irradiance, float angular_diameter = 0); // radians
     void constant_environment(glm::vec3 radiance);
     // radiance(direction) at the middle of each texel.
     template <class Radiance>

@@ -1,5 +1,7 @@
 #include "import/extensions/lights_punctual.hpp"
 
+#include "import/extras.hpp"
+
 #include <fmt/format.h>
 #include <numbers>
 
@@ -39,6 +41,16 @@ Light read_light(const JsonObject& object) {
     return light;
 }
 
+void read_extent(Document& document, const JsonObject& object, Light& light) {
+    const std::string owner = fmt::format("light '{}'", light.name);
+    constexpr float LARGEST = 1e9f; // metres
+    if (light.kind == LightKind::directional)
+        light.angular_diameter =
+            glm::radians(extras_number(document, object, "angular_diameter_degrees", 180, owner).value_or(0));
+    else
+        light.radius = extras_number(document, object, "radius", LARGEST, owner).value_or(0);
+}
+
 } // namespace
 
 void add_punctual_lights(Document& document, const Nodes& nodes, Scene& scene) {
@@ -53,6 +65,7 @@ void add_punctual_lights(Document& document, const Nodes& nodes, Scene& scene) {
         if (!index) use->fail("light", "is missing");
         Light light = read_light(lights[*index]);
         if (light.name.empty()) light.name = nodes.name(node);
+        read_extent(document, lights[*index], light);
         const glm::mat4& to_world = nodes.to_world(node);
         light.position = glm::vec3(to_world[3]);
         const glm::vec3 forward = -glm::vec3(to_world[2]); // a light shines along its node's -Z

@@ -1,4 +1,5 @@
-// KHR_lights_punctual: point, spot and directional lights.
+// KHR_lights_punctual: point, spot and directional lights; of their extras {"radius": metres} makes a
+// sphere of a point or spot light, {"angular_diameter_degrees": x} a sun of a directional one.
 #pragma once
 
 #include "import/nodes.hpp"

@@ -165,6 +165,31 @@ TEST_F(CoreFunction, ErfinvInvertsErf) {
         ASSERT_NEAR(std::erf(double(results[k].x)), items[k].x, 2e-7);
 }
 
+TEST_F(CoreFunction, AngleIsPreciseInProportion) {
+    std::vector<glm::vec4> items{
+        {0, 0, 0, 0}, {0, 1, 0, 0}, {0, -1, 0, 0}, {1, 0, 0, 0}, {1e-30f, -1e-30f, 0, 0}};
+    for (int k = 0; k <= 400; ++k)
+        for (const float sign : {-1.0f, 1.0f})
+            items.emplace_back(std::pow(10.0f, -20 + 0.1f * static_cast<float>(k)), sign, 0, 0);
+    const auto results = run(shared::CORE_ANGLE, items);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const double expected = std::atan2(double{items[k].x}, double{items[k].y});
+        ASSERT_NEAR(results[k].x, expected, 4e-7 * expected) << items[k].x << " " << items[k].y;
+    }
+}
+
+TEST_F(CoreFunction, SineIsPreciseInProportionNearZero) {
+    std::vector<glm::vec4> items{glm::vec4(0)};
+    for (int k = 0; k <= 2048; ++k) items.emplace_back(static_cast<float>(k) * 3.14159f / 2048);
+    for (int k = 1; k <= 30; ++k) items.emplace_back(std::pow(10.0f, -static_cast<float>(k)));
+    const auto results = run(shared::CORE_SINE_COSINE, items);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        const double x = items[k].x;
+        ASSERT_NEAR(results[k].x, std::sin(x), 3e-7 * std::min(std::sin(x), x) + (x > 1 ? 2e-7 : 0)) << x;
+        ASSERT_NEAR(results[k].y, std::cos(x), 2e-7) << x;
+    }
+}
+
 TEST_F(CoreFunction, FiniteKnowsNanAndInf) {
     const float infinity = std::numeric_limits<float>::infinity();
     const std::vector<glm::vec4> items{

@@ -2,6 +2,7 @@
 // builds them.
 #pragma once
 
+#include "bvh/bvh.hpp"
 #include "render/environment_table.hpp"
 #include "render/light_table.hpp"
 #include "render/material_table.hpp"
@@ -20,14 +21,27 @@ namespace ajar::test {
 
 using shared::LightItem;
 
+// Its front is where its corners run counter-clockwise.
+inline EmissiveTriangle triangle(glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, float emission = 1) {
+    EmissiveTriangle t;
+    t.p0 = p0;
+    t.p1 = p1;
+    t.p2 = p2;
+    t.area = 0.5f * glm::length(glm::cross(p1 - p0, p2 - p0));
+    t.emission = glm::vec3(emission);
+    t.triangle = 17;
+    return t;
+}
+
 struct Lighting {
     Scene scene; // lights, environment, and what textured emission needs
     std::vector<EmissiveTriangle> triangles;
     std::vector<shared::SurfaceRecord> surfaces;
     float scene_radius = 1;
     std::uint32_t sampler = shared::LIGHT_SAMPLER_POWER;
-    std::uint32_t features = 0; // besides those of the kinds of light
-    LightTable table() const { return build_light_table(scene, triangles, scene_radius); }
+    std::uint32_t features = 0; // besides those of the kinds of light; FEATURE_WIDE_TRIANGLES only from here
+    std::vector<EmissiveSphere> spheres;
+    LightTable table() const { return build_light_table(scene, triangles, scene_radius, spheres); }
 };
 
 class LightFunctions : public GpuTest {
@@ -38,6 +52,10 @@ class LightFunctions : public GpuTest {
         shared::FrameRecord frame{};
         table.describe(frame);
         frame.environment_cos = 1;
+        frame.scene_radius = lighting.scene_radius;
+        frame.soft_first = table.soft_first;
+        frame.soft_count = table.soft_count;
+        const std::uint32_t features = (table.features & ~shared::FEATURE_WIDE_TRIANGLES) | lighting.features;
         EnvironmentTable environment;
         if (lighting.scene.environment) {
             const Environment& e = *lighting.scene.environment;
@@ -58,7 +76,7 @@ class LightFunctions : public GpuTest {
 
         gpu::Bindings bindings(device());
         std::vector<gpu::Buffer> buffers;
-        buffers.reserve(7);
+        buffers.reserve(8);
         const auto upload = [&](std::uint32_t binding, const auto& values) {
             if (values.empty()) return;
             gpu::Buffer& buffer = buffers.emplace_back(device(), values.size() * sizeof(values[0]), "table");
@@ -76,9 +94,12 @@ class LightFunctions : public GpuTest {
             std::mt19937 random(41);
             learned.resize(shared::VISIBILITY_CELLS * shared::VISIBILITY_CELL_TEXELS);
             for (glm::uvec4& texel : learned) texel = {random(), random(), random(), random()};
-            frame.scene_radius = lighting.scene_radius;
         }
         upload(shared::BIND_VISIBILITY, learned);
+        std::vector<shared::TriangleRecord> triangles; // as if all triangles of the scene were lights
+        for (const EmissiveTriangle& t : lighting.triangles)
+            triangles.push_back(bvh::make_record({t.p0, t.p1, t.p2}, 0, 0, 0));
+        upload(shared::BIND_TRIANGLES, triangles);
         gpu::Buffer frame_buffer(device(), sizeof frame, "frame");
         frame_buffer.write(std::span<const shared::FrameRecord>(&frame, 1));
         bindings.uniform(frame_buffer);
@@ -88,7 +109,7 @@ class LightFunctions : public GpuTest {
             {{shared::SPEC_WORKGROUP_SIZE, WORKGROUP_SIZE},
              {shared::SPEC_OPTION, function},
              {shared::SPEC_LIGHT_SAMPLER, lighting.sampler},
-             {shared::SPEC_FEATURES, table.features | materials.features | lighting.features}});
+             {shared::SPEC_FEATURES, features | materials.features}});
         gpu::Buffer in_out(device(), items.size() * sizeof(LightItem), "items");
         in_out.write(std::span<const LightItem>(items));
         gpu::Commands commands(device());

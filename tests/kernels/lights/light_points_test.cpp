@@ -43,12 +43,17 @@ Lighting scattered_lights(std::uint32_t sampler, std::size_t triangles) {
         light.position = 10.0f * in_cube(random);
         light.direction = glm::normalize(in_cube(random));
         light.outer_cone_angle = 0.2f + 0.1f * static_cast<float>(i);
+        light.radius = i < 4 ? 0 : 0.1f * static_cast<float>(i);
         lighting.scene.lights.push_back(light);
     }
     Light sun;
     sun.kind = LightKind::directional;
     sun.intensity = glm::vec3(0.01f);
     lighting.scene.lights.push_back(sun);
+    sun.angular_diameter = 0.1f;
+    lighting.scene.lights.push_back(sun);
+    for (int i = 0; i < 4; ++i)
+        lighting.spheres.push_back({0, 10.0f * in_cube(random), 0.5f, glm::vec3(0.3f)});
     lighting.scene.environment.emplace().scale = glm::vec3(0.002f);
     return lighting;
 }

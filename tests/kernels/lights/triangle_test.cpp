@@ -1,4 +1,4 @@
-// Emissive triangles: densities, closed forms, sides and textures.
+// Emissive triangles: densities and closed forms.
 #include "light_functions.hpp"
 #include "support/statistics.hpp"
 
@@ -13,30 +13,21 @@ namespace {
 using namespace shared;
 constexpr double PI = std::numbers::pi;
 
-EmissiveTriangle triangle(glm::vec3 p0, glm::vec3 p1, glm::vec3 p2, float emission = 1) {
-    EmissiveTriangle t;
-    t.p0 = p0;
-    t.p1 = p1;
-    t.p2 = p2;
-    t.area = 0.5f * glm::length(glm::cross(p1 - p0, p2 - p0));
-    t.emission = glm::vec3(emission);
-    t.triangle = 17;
-    return t;
-}
-
 struct Case {
     const char* name;
     EmissiveTriangle light;
-    glm::vec3 point; // a receiver whose normal is +Y
+    glm::vec3 point;       // a receiver whose normal is +Y
+    bool touching = false; // so near that sampling by area has next to no mean
 };
 
-std::vector<Case> cases() {
+std::vector<Case> all_cases() {
     // Fronts face down, towards the receiver.
     const EmissiveTriangle ceiling = triangle({-0.5f, 1, -0.3f}, {0.6f, 1, -0.2f}, {0.1f, 1, 0.7f});
     std::vector<Case> all{{"middling", ceiling, {0, 0, 0}},
                           {"near", ceiling, {0.05f, 0.95f, 0.1f}},
                           {"far", ceiling, {30, -80, 20}},
                           {"grazing", ceiling, {3, 0.97f, 0.5f}},
+                          {"within its reach", ceiling, {0.1f, 0.999f, 0.1f}, true},
                           {"sliver", triangle({-4, 2, 0}, {4, 2, 0}, {0, 2.5f, 0.01f}), {1, 0, 2}},
                           {"away from the origin",
                            triangle({100, 51, -20}, {101, 51, -20}, {100, 51, -19}),
@@ -88,23 +79,42 @@ Hit intersect(const EmissiveTriangle& t, glm::dvec3 point, glm::dvec3 direction)
             std::abs(glm::dot(glm::normalize(glm::cross(e1, e2)), direction))};
 }
 
-double density(const EmissiveTriangle& t, glm::dvec3 point, glm::dvec3 direction) {
-    const Hit hit = intersect(t, point, direction);
-    const double area = 0.5 * glm::length(glm::cross(glm::dvec3(t.p1 - t.p0), glm::dvec3(t.p2 - t.p0)));
-    return hit.there ? hit.distance * hit.distance / (area * hit.cosine) : 0;
-}
-
-class TriangleLight : public LightFunctions {
+// By area or by solid angle: the parameter is a feature bit, or none.
+class TriangleLight : public LightFunctions, public testing::WithParamInterface<std::uint32_t> {
   protected:
-    static std::vector<LightItem> samples(const Case& c, std::size_t count = 200000) {
+    static bool by_solid_angle() { return GetParam() == FEATURE_WIDE_TRIANGLES; }
+
+    static std::vector<Case> cases() {
+        std::vector<Case> all = all_cases();
+        if (!by_solid_angle()) std::erase_if(all, [](const Case& c) { return c.touching; });
+        return all;
+    }
+
+    static Lighting lighting_of(const Case& c) {
         Lighting lighting;
         lighting.triangles.push_back(c.light);
-        return sample(lighting, 0, c.point, count, 11);
+        lighting.features = GetParam();
+        return lighting;
+    }
+
+    static std::vector<LightItem> samples(const Case& c, std::size_t count = 200000) {
+        return sample(lighting_of(c), 0, c.point, count, 11);
+    }
+
+    static double density(const EmissiveTriangle& t, glm::dvec3 point, glm::dvec3 direction) {
+        const Hit hit = intersect(t, point, direction);
+        if (!hit.there) return 0;
+        if (by_solid_angle()) return 1 / solid_angle(t, point);
+        const double area = 0.5 * glm::length(glm::cross(glm::dvec3(t.p1 - t.p0), glm::dvec3(t.p2 - t.p0)));
+        return hit.distance * hit.distance / (area * hit.cosine);
     }
 };
+INSTANTIATE_TEST_SUITE_P(Sampled, TriangleLight, testing::Values(0u, FEATURE_WIDE_TRIANGLES),
+                         [](const auto& row) { return row.param == 0 ? "ByArea" : "BySolidAngle"; });
 
-TEST_F(TriangleLight, DirectionsFollowTheStatedDensity) {
+TEST_P(TriangleLight, DirectionsFollowTheStatedDensity) {
     for (const Case& c : cases()) {
+        if (c.touching) continue; // seen sideways: see below
         // Gnomonic projection about the triangle's middle, or its normal if that sees a corner sideways:
         // straight edges.
         const glm::dvec3 eye(c.point);
@@ -157,7 +167,42 @@ TEST_F(TriangleLight, DirectionsFollowTheStatedDensity) {
     }
 }
 
-TEST_F(TriangleLight, StatesTheDensityByAreaOverSolidAngle) {
+// Where a triangle covers much of the sphere: cells of it in latitude and longitude about its normal.
+TEST_P(TriangleLight, DirectionsFillTheSolidAngleEvenlyFromCloseBy) {
+    for (const Case& c : cases()) {
+        const double omega = solid_angle(c.light, c.point);
+        if (omega < 0.5) continue;
+        const int rows = 24;
+        const int columns = 32;
+        const int steps = 40;
+        std::vector<double> observed(rows * columns, 0);
+        std::vector<double> expected(rows * columns, 0);
+        const std::vector<LightItem> all = samples(c);
+        for (const LightItem& item : all) {
+            const double turn = std::atan2(item.direction.z, item.direction.x) / (2 * PI) + 0.5;
+            const int row = std::clamp(static_cast<int>((item.direction.y + 1) / 2 * rows), 0, rows - 1);
+            const int column = std::clamp(static_cast<int>(turn * columns), 0, columns - 1);
+            observed[static_cast<std::size_t>(row * columns + column)] += 1;
+        }
+        double total = 0;
+        for (int y = 0; y < rows * steps; ++y)
+            for (int x = 0; x < columns * steps; ++x) {
+                const double height = 2 * (y + 0.5) / (rows * steps) - 1;
+                const double phi = ((x + 0.5) / (columns * steps) - 0.5) * 2 * PI;
+                const double across = std::sqrt(1 - height * height);
+                const glm::dvec3 d(across * std::cos(phi), height, across * std::sin(phi));
+                const double mass = density(c.light, c.point, d) * 4 * PI / (rows * steps * columns * steps);
+                expected[static_cast<std::size_t>(y / steps * columns + x / steps)] += mass;
+                total += mass;
+            }
+        EXPECT_NEAR(total, 1, 0.01) << c.name;
+        // Edges cut cells, and a sample may fall into a sliver of one that the quadrature misses.
+        for (double& e : expected) e = std::max(e * static_cast<double>(all.size()) / total, 1e-3);
+        EXPECT_GT(chi_square(observed, expected).p, sidak_level(SIGNIFICANCE, cases().size())) << c.name;
+    }
+}
+
+TEST_P(TriangleLight, StatesItsDensity) {
     for (const Case& c : cases())
         for (const LightItem& item : samples(c, 1000)) {
             // From the sampled place itself: at grazing angles a float direction is too coarse to find it
@@ -165,14 +210,16 @@ TEST_F(TriangleLight, StatesTheDensityByAreaOverSolidAngle) {
             const glm::dvec3 d = glm::dvec3(item.direction) * double{item.distance};
             const glm::dvec3 area_vector = 0.5 * glm::cross(glm::dvec3(c.light.p1) - glm::dvec3(c.light.p0),
                                                             glm::dvec3(c.light.p2) - glm::dvec3(c.light.p0));
-            const double expected = glm::dot(d, d) * glm::length(d) / std::abs(glm::dot(d, area_vector));
-            ASSERT_NEAR(item.pdf, expected, 2e-4 * expected) << c.name;
+            const double expected =
+                by_solid_angle() ? 1 / solid_angle(c.light, c.point)
+                                 : glm::dot(d, d) * glm::length(d) / std::abs(glm::dot(d, area_vector));
+            ASSERT_NEAR(item.pdf, expected, (by_solid_angle() ? 5e-6 : 2e-4) * expected) << c.name;
             ASSERT_EQ(item.triangle, 17u);
             ASSERT_EQ(item.delta, 0u);
         }
 }
 
-TEST_F(TriangleLight, InverseDensityAveragesToTheSolidAngle) {
+TEST_P(TriangleLight, InverseDensityAveragesToTheSolidAngle) {
     for (const Case& c : cases()) {
         Moments moments;
         for (const LightItem& item : samples(c)) moments.add(1 / double{item.pdf});
@@ -182,7 +229,25 @@ TEST_F(TriangleLight, InverseDensityAveragesToTheSolidAngle) {
     }
 }
 
-TEST_F(TriangleLight, IrradianceIsLamberts) {
+TEST_P(TriangleLight, SamplesLieOnTheTriangle) {
+    for (const Case& c : cases()) {
+        const glm::dvec3 e1 = glm::dvec3(c.light.p1) - glm::dvec3(c.light.p0);
+        const glm::dvec3 e2 = glm::dvec3(c.light.p2) - glm::dvec3(c.light.p0);
+        const glm::dvec3 n = glm::cross(e1, e2) / glm::dot(glm::cross(e1, e2), glm::cross(e1, e2));
+        for (const LightItem& item : samples(c, 10000)) {
+            const glm::dvec3 p = glm::dvec3(c.point) + glm::dvec3(item.direction) * double{item.distance} -
+                                 glm::dvec3(c.light.p0);
+            // A unit of the direction's last place, as far away as it is, over the triangle's height.
+            const double slack = 2e-7 * (item.distance + glm::length(glm::dvec3(c.point))) * glm::length(n) *
+                                 std::max(glm::length(e1), glm::length(e2));
+            const double b1 = glm::dot(glm::cross(p, e2), n);
+            const double b2 = glm::dot(glm::cross(e1, p), n);
+            ASSERT_GE(std::min({b1, b2, 1 - b1 - b2}), -slack) << c.name;
+        }
+    }
+}
+
+TEST_P(TriangleLight, IrradianceIsLamberts) {
     for (const Case& c : cases()) {
         Moments moments;
         for (const LightItem& item : samples(c))
@@ -193,77 +258,17 @@ TEST_F(TriangleLight, IrradianceIsLamberts) {
     }
 }
 
-TEST_F(TriangleLight, HitsHaveTheDensityOfSamples) {
+TEST_P(TriangleLight, HitsHaveTheDensityOfSamples) {
     for (const Case& c : cases()) {
         std::vector<LightItem> items = samples(c, 10000);
         std::vector<float> sampled;
         for (LightItem& item : items) {
             sampled.push_back(item.pdf);
-            item.point = glm::normalize(glm::cross(c.light.p1 - c.light.p0, c.light.p2 - c.light.p0));
-            item.uv.x = c.light.area;
+            item.triangle = 0;
         }
-        Lighting lighting;
-        lighting.triangles.push_back(c.light);
-        const std::vector<LightItem> hits = run(LIGHTS_TRIANGLE_PDF, lighting, items);
+        const std::vector<LightItem> hits = run(LIGHTS_TRIANGLE_PDF, lighting_of(c), items);
         for (std::size_t i = 0; i < hits.size(); ++i)
-            ASSERT_NEAR(hits[i].pdf, sampled[i], 1e-3f * sampled[i]) << c.name;
-    }
-}
-
-TEST_F(TriangleLight, EmitsFromItsFrontAloneUnlessTwoSided) {
-    Lighting lighting;
-    lighting.triangles = {triangle({-1, 1, -1}, {1, 1, -1}, {0, 1, 1}, 5),
-                          triangle({-1, 1, -1}, {1, 1, -1}, {0, 1, 1}, 5)};
-    lighting.triangles[1].two_sided = true;
-    for (const std::uint32_t light : {0u, 1u})
-        for (const float height : {0.0f, 2.0f}) // in front, behind
-            for (const LightItem& item : sample(lighting, light, {0.1f, height, 0}, 100, 3))
-                EXPECT_EQ(item.radiance.y, height < 1 || light == 1 ? 5.0f : 0.0f);
-}
-
-// The texture's left half emits, in the triangle's own texture coordinates: u = x.
-Lighting textured(AlphaMode alpha_mode) {
-    Lighting lighting;
-    lighting.triangles = {triangle({0, 1, 0}, {1, 1, 0}, {0, 1, 1}),
-                          triangle({0, 3, 0}, {1, 3, 0}, {0, 3, 1}, 7)};
-    lighting.triangles[0].textured = true;
-    lighting.triangles[0].triangle = 1;
-    lighting.triangles[1].triangle = 0xfffffff0u; // must not be looked up
-    lighting.surfaces.resize(2);
-    lighting.surfaces[1].uv0[1] = glm::vec2(1, 0);
-    lighting.surfaces[1].uv0[2] = glm::vec2(0, 1);
-    TextureImage image;
-    image.width = 2;
-    image.height = 1;
-    image.rgba = {255, 255, 255, 255, 0, 0, 0, 0};
-    lighting.scene.images.push_back(image);
-    Texture texture;
-    texture.wrap_u = texture.wrap_v = Wrap::clamp;
-    texture.filter = TextureFilter::nearest;
-    lighting.scene.textures.push_back(texture);
-    Material material;
-    material.emission = glm::vec3(3, 2, 1);
-    material.alpha_mode = alpha_mode;
-    (alpha_mode == AlphaMode::opaque ? material.emission_texture : material.base_color_texture).texture = 0;
-    lighting.scene.materials.push_back(material);
-    if (alpha_mode != AlphaMode::opaque) lighting.features = FEATURE_ALPHA;
-    return lighting;
-}
-
-TEST_F(TriangleLight, LooksTexturesAndAlphaUpAtTheSampledPoint) {
-    for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend}) {
-        const glm::vec3 point(0.2f, 0, 0.1f);
-        int lit = 0;
-        for (const LightItem& item : sample(textured(mode), 0, point, 1000, 3)) {
-            const float x = point.x + item.direction.x * item.distance;
-            if (std::abs(x - 0.5f) < 1e-4f) continue;
-            const glm::vec3 expected = x < 0.5f ? glm::vec3(3, 2, 1) : glm::vec3(0);
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(item.radiance[c], expected[c], 1e-5) << x;
-            lit += x < 0.5f ? 1 : 0;
-        }
-        EXPECT_NEAR(lit, 750, 100);
-        for (const LightItem& item : sample(textured(mode), 1, point, 100, 3))
-            EXPECT_EQ(item.radiance, glm::vec3(7));
+            ASSERT_NEAR(hits[i].pdf, sampled[i], (by_solid_angle() ? 1e-6f : 2e-3f) * sampled[i]) << c.name;
     }
 }
 

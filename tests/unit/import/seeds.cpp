@@ -71,7 +71,9 @@ GltfBuilder tree_of_everything() {
          {"color", {1, 1, 1}},
          {"intensity", 3},
          {"range", 9},
+         {"extras", {{"radius", 0.2}}},
          {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.2}}}}};
+    b.json["meshes"][0]["extras"]["ajar_sphere"] = true;
     return b;
 }
 

@@ -87,7 +87,7 @@ TEST(LightTable, OrdersTrianglesThenPunctualLightsThenTheEnvironment) {
     triangles[1].triangle = 42;
     triangles[2].emission = glm::vec3(1);
     triangles[2].two_sided = triangles[2].textured = true;
-    const LightTable table = build_light_table(small_scene(), triangles, 2);
+    const LightTable table = build_light_table(small_scene(), triangles, 20);
     ASSERT_EQ(table.lights.size(), 6u);
     EXPECT_EQ(table.environment_light, 5u);
     EXPECT_EQ(table.lights[1].triangle, 42u);
@@ -105,6 +105,57 @@ TEST(LightTable, OrdersTrianglesThenPunctualLightsThenTheEnvironment) {
     for (std::size_t i = 0; i < 6; ++i) sum += table.lights[i].power_pmf, power += table.powers[i];
     EXPECT_EQ(sum, 1.0);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(table.lights[i].power_pmf, table.powers[i] / power, 1e-6);
+}
+
+TEST(LightTable, PutsSoftLightsInARowSpheresBeforeSunsBeforeLamps) {
+    Scene scene = small_scene();
+    scene.lights[0].radius = 0.5f;
+    scene.lights[0].range = 0;
+    scene.lights.push_back(Light{});
+    scene.lights[2].kind = LightKind::directional;
+    scene.lights[2].angular_diameter = 0.4f;
+    const std::vector<EmissiveSphere> spheres{{3, {1, 2, 3}, 0.25f, glm::vec3(7)}};
+    const LightTable table = build_light_table(scene, {}, 2, spheres);
+    ASSERT_EQ(table.lights.size(), 5u);
+    EXPECT_EQ(table.soft_first, 1u);
+    EXPECT_EQ(table.soft_count, 3u);
+    EXPECT_EQ(table.lights[0].kind, shared::LIGHT_SPOT);
+    EXPECT_EQ(table.lights[1].kind, shared::LIGHT_SPHERE);
+    EXPECT_EQ(table.lights[1].p0, glm::vec3(1, 2, 3));
+    EXPECT_EQ(table.lights[2].kind, shared::LIGHT_SUN | shared::LIGHT_LAMP);
+    EXPECT_EQ(table.lights[3].kind, shared::LIGHT_SPHERE | shared::LIGHT_LAMP);
+    EXPECT_NEAR(table.lights[3].radiance.x, 4 / PI, 1e-6) << "intensity 1 over pi r^2";
+    EXPECT_NEAR(table.powers[1], 4 * PI * 0.0625 * 7 * PI, 1e-5);
+    EXPECT_NEAR(table.powers[3], 4 * PI, 1e-5) << "as the point light's";
+    EXPECT_EQ(table.environment_light, 4u);
+    EXPECT_EQ(table.features, shared::FEATURE_SOFT_LIGHTS | shared::FEATURE_PUNCTUAL_LIGHTS |
+                                  shared::FEATURE_CONSTANT_ENVIRONMENT);
+}
+
+TEST(LightTable, TakesLightsTooSmallToBeSoftAsPoints) {
+    Scene scene;
+    scene.lights.resize(2);
+    scene.lights[0].radius = 1e-30f; // its radiance is no float
+    scene.lights[1].kind = LightKind::directional;
+    scene.lights[1].angular_diameter = 1e-8f;
+    const LightTable table = build_light_table(scene, {}, 1);
+    EXPECT_EQ(table.soft_count, 0u);
+    EXPECT_EQ(table.lights[0].kind, shared::LIGHT_POINT);
+    EXPECT_EQ(table.lights[1].kind, shared::LIGHT_DIRECTIONAL);
+}
+
+TEST(LightTable, SamplesTrianglesBySolidAngleWhereTheyAreLargeForTheScene) {
+    std::vector<EmissiveTriangle> triangles(2);
+    triangles[0].emission = triangles[1].emission = glm::vec3(1);
+    triangles[0].area = 0.5f; // has nearly all the power
+    triangles[1].area = 1e-3f;
+    const auto wide = [&](float scene_radius) {
+        return (build_light_table(Scene{}, triangles, scene_radius).features &
+                shared::FEATURE_WIDE_TRIANGLES) != 0;
+    };
+    EXPECT_TRUE(wide(1));
+    EXPECT_FALSE(wide(10));
+    EXPECT_FALSE((build_light_table(Scene{}, {}, 1).features & shared::FEATURE_WIDE_TRIANGLES) != 0);
 }
 
 TEST(LightTable, WordsHoldRecordsThenTheAliasTable) {

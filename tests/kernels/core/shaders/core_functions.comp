@@ -60,6 +60,8 @@ vec4 vectors(vec4 v) {
         return vec4(frame_to_world(f, frame_to_local(f, parameter)), 0.0);
     }
     case CORE_ERFINV: return vec4(math_erfinv(v.x));
+    case CORE_ANGLE: return vec4(math_angle(v.x, v.y));
+    case CORE_SINE_COSINE: return vec4(math_sine_cosine(v.x), 0.0, 0.0);
     default: return vec4(math_finite(v.xyz) ? 1.0 : 0.0);
     }
 }

@@ -29,6 +29,8 @@ const uint CORE_FRAME_TANGENT = 17; // in: n, handedness (w); parameters: tangen
 const uint CORE_FRAME_ROUND_TRIP = 18; // in: n; parameters: a vector. Out: to_world(to_local(vector))
 const uint CORE_ERFINV = 19;    // in: x. Out: erfinv(x)
 const uint CORE_FINITE = 20;    // in: three values. Out: 1 where all are finite
+const uint CORE_ANGLE = 21;     // in: y, x. Out: angle of (x, y)
+const uint CORE_SINE_COSINE = 22; // in: x. Out: sine, cosine
 
 struct CoreFunctionsArgs {
     TableWordPtr items_in;

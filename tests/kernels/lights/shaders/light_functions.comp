@@ -5,6 +5,7 @@
 #include "core/workgroup.glsl"
 #include "lights/light.glsl"
 #include "lights/light_sampler.glsl"
+#include "lights/soft.glsl"
 
 layout(push_constant, scalar) uniform ArgsBlock { LightFunctionsArgs args; };
 
@@ -25,6 +26,22 @@ void pick_light(inout LightItem item) {
     item.uv.x = pick.u;
 }
 
+void meet_soft(inout LightItem item) {
+    uvec2 found = soft_meet(item.point, item.direction, item.distance, item.delta != 0u);
+    item.triangle = 0u;
+    item.light = NO_LIGHT;
+    item.pdf = 0.0;
+    while (any(notEqual(found, uvec2(0u)))) {
+        const uint light = soft_next(found);
+        const vec4 radiance_pdf = soft_lookup(light, item.point);
+        const bool first = item.triangle == 0u;
+        item.light = first ? light : item.light;
+        item.radiance = first ? radiance_pdf.rgb : item.radiance;
+        item.pdf = first ? radiance_pdf.a : item.pdf;
+        ++item.triangle;
+    }
+}
+
 void main() {
     const uint i = workgroup_index() * WORKGROUP_SIZE + gl_LocalInvocationID.x;
     if (i >= args.count) return;
@@ -33,13 +50,14 @@ void main() {
     case LIGHTS_SAMPLE: sample_light(item); break;
     case LIGHTS_PICK: pick_light(item); break;
     case LIGHTS_PMF: item.pdf = light_sampler_pmf(item.point, item.direction, item.light); break;
+    case LIGHTS_SOFT: meet_soft(item); break;
     case LIGHTS_ENVIRONMENT: {
         const vec4 found = environment_lookup(item.direction);
         item.radiance = found.rgb;
         item.pdf = found.a;
         break;
     }
-    default: item.pdf = light_pdf_triangle(item.direction, item.distance, item.point, item.uv.x); break;
+    default: item.pdf = light_pdf_triangle(item.point, item.direction, item.triangle); break;
     }
     args.items.at[i] = item;
 }

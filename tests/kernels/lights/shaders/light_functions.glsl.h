@@ -9,7 +9,11 @@ const uint LIGHTS_SAMPLE = 0;       // point, light, uv -> LightSample
 const uint LIGHTS_PICK = 1;         // point, direction = normal, uv.x -> light, pdf = pmf, uv.x = rest of u
 const uint LIGHTS_PMF = 2;          // point, direction = normal, light -> pdf = pmf
 const uint LIGHTS_ENVIRONMENT = 3;  // direction -> radiance, pdf
-const uint LIGHTS_TRIANGLE_PDF = 4; // direction, distance, point = ng, uv.x = area -> pdf
+const uint LIGHTS_TRIANGLE_PDF = 4; // point, direction, triangle -> pdf
+
+// point, direction, distance = limit, delta = from the camera -> triangle = how many soft lights are met,
+// light = the first of them with its radiance and pdf
+const uint LIGHTS_SOFT = 5;
 
 struct LightItem {
     vec3 point;
