@@ -14,18 +14,18 @@
 layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
 
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
-LightPick pick_light(Vertex v, Sampler points, uint dimension) {
-    if (OPTION == SHADE_LIGHT) return LightPick(args.light, 1.0, 0.0);
-    return light_sampler_pick(v.surface.departure, sampler_normal(v.surface.ng),
-                              sampler_1d(points, dimension + DIM_LIGHT_PICK));
+LightPick pick_light(Vertex v, float u) {
+    if (OPTION == SHADE_LIGHT) return LightPick(args.light, 1.0, u, 0.0);
+    return light_sampler_pick(v.surface.departure, sampler_normal(v.surface.ng), u);
 }
 
 // A shadow ray to one light. False when nothing can come of it.
 bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
     if (OPTION == SHADE_LIGHT) dimension += DIM_PER_LIGHT * (args.light + 1u);
-    LightPick pick = pick_light(v, points, dimension);
-    LightSample light = light_sample(pick.light, v.surface.departure, sampler_2d(points, dimension +
-        DIM_LIGHT));
+    vec2 u = sampler_2d(points, dimension + DIM_LIGHT);
+    LightPick pick = pick_light(v, u.x);
+    u.x = light_pick_rest(pick, sampler_1d(points, dimension + DIM_LIGHT_DIGITS));
+    LightSample light = light_sample(pick.light, v.surface.departure, u);
     BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
     float light_pdf = light.pdf * pick.pmf;
     float weight = STRATEGY == STRATEGY_MIS && !light.delta ? mis_weight(light_pdf, value.pdf) : 1.0;

@@ -10,7 +10,7 @@
 const bool LIGHT_SAMPLER_LOOKS = LIGHT_SAMPLER == LIGHT_SAMPLER_TREE || LIGHT_SAMPLER_LEARNS;
 
 LightPick light_sampler_pick(vec3 point, vec3 normal, float u) {
-    if (!has_feature(FEATURE_ANY_LIGHT)) return LightPick(0u, 0.0, u); // the tables are empty
+    if (!has_feature(FEATURE_ANY_LIGHT)) return LightPick(0u, 0.0, u, 0.0); // the tables are empty
     if (LIGHT_SAMPLER == LIGHT_SAMPLER_UNIFORM) return sampler_uniform_pick(u);
     if (LIGHT_SAMPLER_LOOKS) return sampler_tree_pick(point, normal, u);
     return sampler_power_pick(u);

@@ -56,18 +56,18 @@ float light_tree_importance(vec3 point, vec3 normal, uvec4 a, uvec4 b) {
 }
 
 struct LightTreeWay {
-    float pmf; // product of the decisions' probabilities
-    float u;   // what is left of u
+    float pmf;  // product of the decisions' probabilities
+    float u;    // what is left of u
+    float step; // of its digits
     uint light;
 };
 
 // Down to a light: by u, or, to learn how probable a light is, along its trail. Both take the same decisions'
 // probabilities, to the last bit. What `cell` learned of a node's visibility scales its importance.
 LightTreeWay light_tree_descend(vec3 point, vec3 normal, uint cell, float u, uint trail, bool follow) {
-    LightTreeWay way = LightTreeWay(1.0, u, 0u);
+    LightTreeWay way = LightTreeWay(1.0, u, LIGHT_PICK_STEP, 0u);
     // u has 24 digits, and every decision uses some up: more are drawn from a hash of the point, which leaves
     // a long way's probabilities exact on average over points, where 2^24 values of u could not.
-    float step_of_u = 1.0 / 16777216.0;
     uint digits = rng_combine(floatBitsToUint(u), floatBitsToUint(point.x) ^ floatBitsToUint(point.z));
     uint child = fetch_light(frame.tree_first + 1u).w;
     uint node = 1u; // as in a heap; runs over below the levels that are learned about
@@ -89,12 +89,12 @@ LightTreeWay light_tree_descend(vec3 point, vec3 normal, uint cell, float u, uin
         const float p = goes_right ? 1.0 - p_left : p_left;
         way.pmf *= p;
         way.u = (goes_right ? way.u - p_left : way.u) / p;
-        step_of_u /= p;
-        const bool worn = step_of_u > 1.0 / 4096.0;
-        way.u = worn ? way.u + step_of_u * rng_to_float(digits) : way.u;
+        way.step /= p;
+        const bool worn = way.step > 1.0 / 4096.0;
+        way.u = worn ? way.u + way.step * rng_to_float(digits) : way.u;
         way.u = min(way.u, LIGHT_PICK_BELOW_ONE);
         digits = worn ? rng_hash(digits) : digits;
-        step_of_u = worn ? 1.0 / 16777216.0 : step_of_u;
+        way.step = worn ? LIGHT_PICK_STEP : way.step;
         child = goes_right ? right_b.w : left_b.w;
         node = 2u * node + (goes_right ? 1u : 0u);
     }

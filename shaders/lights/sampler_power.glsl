@@ -19,7 +19,9 @@ LightPick sampler_power_pick(float u) {
     LightPick pick;
     pick.light = kept ? uint(int(slot)) : entry.y;
     pick.pmf = sampler_power_pmf(pick.light);
-    pick.u = min(kept ? rest / keep : (rest - keep) / (1.0 - keep), LIGHT_PICK_BELOW_ONE);
+    const float mass = kept ? keep : 1.0 - keep;
+    pick.u = min((kept ? rest : rest - keep) / mass, LIGHT_PICK_BELOW_ONE);
+    pick.step = LIGHT_PICK_STEP * float(slots) / mass;
     return pick;
 }
 

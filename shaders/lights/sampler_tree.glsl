@@ -44,7 +44,9 @@ LightPick sampler_tree_pick_distant(float u) {
     LightPick pick;
     pick.light = kept ? entry.z : entry.y;
     pick.pmf = sampler_tree_distant_pmf(pick.light);
-    pick.u = min(kept ? rest / keep : (rest - keep) / (1.0 - keep), LIGHT_PICK_BELOW_ONE);
+    const float mass = kept ? keep : 1.0 - keep;
+    pick.u = min((kept ? rest : rest - keep) / mass, LIGHT_PICK_BELOW_ONE);
+    pick.step = LIGHT_PICK_STEP * float(frame.distant_slots) / mass;
     return pick;
 }
 
@@ -57,16 +59,18 @@ LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
     const uint cell = sampler_tree_cell(point, normal);
     const float share = sampler_tree_distant_share(point, normal, cell);
     const bool distant = u < share;
-    const float rest = min((distant ? u : u - share) / (distant ? share : 1.0 - share), LIGHT_PICK_BELOW_ONE);
-    LightPick pick = LightPick(0u, 0.0, rest);
+    const float mass = distant ? share : 1.0 - share;
+    const float rest = min((distant ? u : u - share) / mass, LIGHT_PICK_BELOW_ONE);
+    LightPick pick = LightPick(0u, 0.0, rest, 0.0);
     if (has_feature(FEATURE_DISTANT_LIGHTS)) {
         if (distant) pick = sampler_tree_pick_distant(rest);
         pick.pmf *= share;
     }
     if (frame.tree_nodes != 0u && !distant) {
         const LightTreeWay way = light_tree_descend(point, normal, cell, rest, 0u, false);
-        pick = LightPick(way.light, (1.0 - share) * way.pmf, way.u);
+        pick = LightPick(way.light, (1.0 - share) * way.pmf, way.u, way.step);
     }
+    pick.step /= mass;
     return pick;
 }
 

@@ -102,7 +102,7 @@ TEST_F(SampleSequence, BouncesNeverShareADimension) {
     std::set<std::uint32_t> used{shared::DIM_PIXEL, shared::DIM_PIXEL + 1, shared::DIM_LENS,
                                  shared::DIM_LENS + 1};
     const std::uint32_t block[] = {shared::DIM_BSDF,      shared::DIM_BSDF + 1,  shared::DIM_LIGHT,
-                                   shared::DIM_LIGHT + 1, shared::DIM_BSDF_LOBE, shared::DIM_LIGHT_PICK,
+                                   shared::DIM_LIGHT + 1, shared::DIM_BSDF_LOBE, shared::DIM_LIGHT_DIGITS,
                                    shared::DIM_ROULETTE};
     for (std::uint32_t bounce = 0; bounce < 64; ++bounce)
         for (const std::uint32_t d : block)

@@ -41,7 +41,7 @@ class LightSamplers : public LightFunctions, public testing::WithParamInterface<
     static std::vector<LightItem> pick(const Lighting& lighting, std::size_t count) {
         std::mt19937 random(9);
         std::vector<LightItem> items(count, receiver());
-        for (LightItem& item : items) item.uv.x = uniform(random);
+        for (LightItem& item : items) item.uv = {uniform(random), uniform(random)};
         // The ends of the range.
         items[0].uv.x = 0;
         items[1].uv.x = 1 - 0x1p-24f;
@@ -107,6 +107,23 @@ TEST_P(LightSamplers, ReturnARestThatIsUniformAgain) {
     }
     const std::vector<double> expected(64, static_cast<double>(picks.size()) / 64);
     EXPECT_GT(chi_square(observed, expected).p, sidak_level(SIGNIFICANCE, 2));
+}
+
+TEST_P(LightSamplers, LeaveARestWhoseDigitsCanBeFilledIn) {
+    // Of 24 digits the choice among 3000 lights takes twelve: places on a light would lie on a grid.
+    const std::vector<LightItem> picks = pick(many_lights(3000, GetParam()), 400000);
+    std::vector<double> coarse(64, 0);
+    std::vector<double> fine(64, 0); // digits below 2^-16
+    for (const LightItem& item : picks) {
+        ASSERT_GE(item.uv.y, 0.0f);
+        ASSERT_LT(item.uv.y, 1.0f);
+        const float shifted = item.uv.y * 0x1p16f;
+        coarse[static_cast<std::size_t>(item.uv.y * 64)] += 1;
+        fine[static_cast<std::size_t>((shifted - std::floor(shifted)) * 64)] += 1;
+    }
+    const std::vector<double> expected(64, static_cast<double>(picks.size()) / 64);
+    EXPECT_GT(chi_square(coarse, expected).p, sidak_level(SIGNIFICANCE, 2));
+    EXPECT_GT(chi_square(fine, expected).p, sidak_level(SIGNIFICANCE, 2));
 }
 
 TEST_P(LightSamplers, FindNothingWhereThereIsNothing) {

@@ -23,7 +23,7 @@ void pick_light(inout LightItem item) {
     const LightPick pick = light_sampler_pick(item.point, item.direction, item.uv.x);
     item.light = pick.light;
     item.pdf = pick.pmf;
-    item.uv.x = pick.u;
+    item.uv = vec2(pick.u, light_pick_rest(pick, item.uv.y));
 }
 
 void meet_soft(inout LightItem item) {
