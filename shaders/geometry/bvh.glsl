@@ -31,6 +31,18 @@ struct BvhCursor {
     uint leaf_hits; // triangles, or instances in the hierarchy over instances
 };
 
+// FEATURE_ALPHA: a triangle that is met, but may not be there. To look is dear, and on lavapipe every thread
+// pays for one that does, at every step where one might. So the walk halts here until others have got as far,
+// and they look outside the loops (bvh_settle).
+struct BvhDoubt {
+    uint triangle; // NO_TRIANGLE: none
+    uint instance;
+    float t;
+    float u;
+    float v;
+    bool back_face;
+};
+
 #define BVH_STACK (2u * BVH_MAX_DEPTH + 1u)
 const uint BVH_NO_INSTANCE = 0xffffffffu; // in the hierarchy over instances
 const float BVH_FAR = 3.0e38;             // finite, so that a limit times a margin is
@@ -51,15 +63,23 @@ struct BvhWalk {
     uint floor;      // those below belong to the hierarchy over instances
     BvhCursor above; // the leaf there from which the ray came into this instance
     Hit hit;
+    BvhDoubt doubt;
 };
 
+bool bvh_in_doubt(BvhWalk walk) {
+    return has_feature(FEATURE_ALPHA) && walk.doubt.triangle != NO_TRIANGLE;
+}
 bool bvh_has_nodes(BvhWalk walk) { return (walk.cursor.group & 0xffu) != 0u; }
 bool bvh_has_leaves(BvhWalk walk) { return walk.cursor.leaf_hits != 0u; }
-bool bvh_wants_node(BvhWalk walk) { return bvh_has_nodes(walk) && !bvh_has_leaves(walk); }
+bool bvh_wants_node(BvhWalk walk) {
+    return bvh_has_nodes(walk) && !bvh_has_leaves(walk) && !bvh_in_doubt(walk);
+}
 bool bvh_wants_triangle(BvhWalk walk) {
-    return bvh_has_leaves(walk) && (!has_feature(FEATURE_INSTANCES) || walk.instance != BVH_NO_INSTANCE);
+    return bvh_has_leaves(walk) && (!has_feature(FEATURE_INSTANCES) || walk.instance != BVH_NO_INSTANCE) &&
+           !bvh_in_doubt(walk);
 }
 bool bvh_going(BvhWalk walk) { return bvh_has_nodes(walk) || bvh_has_leaves(walk); }
+bool bvh_unfinished(BvhWalk walk) { return bvh_going(walk) || bvh_in_doubt(walk); }
 
 // The group that holds nothing but a root.
 uint bvh_root_group(uint node, uint key) { return node << 8 | 1u << key; }
@@ -80,6 +100,7 @@ BvhWalk bvh_begin(BvhRay ray) {
     walk.depth = 0u;
     walk.floor = 0u;
     walk.hit = Hit(ray.limit, NO_TRIANGLE, 0u, 0.0, 0.0);
+    walk.doubt = BvhDoubt(NO_TRIANGLE, 0u, 0.0, 0.0, 0.0, false);
     if (has_feature(FEATURE_INSTANCES)) {
         // The world first; below it waits the hierarchy over instances.
         bvh_stack[0] = walk.cursor.group;
@@ -140,7 +161,20 @@ bool bvh_excluded(BvhRay ray, uint triangle, uint instance) {
     return triangle == ray.leaves && (!has_feature(FEATURE_INSTANCES) || instance == ray.instance);
 }
 
-// Takes a triangle that was tested as the hit, if it is nearer than the present one.
+void bvh_take_hit(inout BvhWalk walk, bool found, uint triangle, uint instance, float t, float u, float v,
+                  const bool any_hit) {
+    walk.hit.triangle = found ? triangle : walk.hit.triangle;
+    if (any_hit) { // all there is to know: nothing is nearer than this
+        walk.hit.t = found ? -1.0 : walk.hit.t;
+    } else {
+        walk.hit.t = found ? t : walk.hit.t;
+        walk.hit.instance = found ? instance : walk.hit.instance;
+        walk.hit.u = found ? u : walk.hit.u;
+        walk.hit.v = found ? v : walk.hit.v;
+    }
+}
+
+// Takes a triangle that was tested as the hit, if it is nearer than the present one, or as the one in doubt.
 void bvh_accept(BvhRay ray, inout BvhWalk walk, uint triangle, uint flags, TriangleHit test,
                 const bool any_hit) {
     bool lower = triangle < walk.hit.triangle;
@@ -150,21 +184,33 @@ void bvh_accept(BvhRay ray, inout BvhWalk walk, uint triangle, uint flags, Trian
     if (any_hit) closer = test.t < walk.hit.t;
     bool found = test.inside && closer && !bvh_excluded(ray, triangle, walk.instance);
     if (has_feature(FEATURE_ALPHA)) {
-        if (found && (flags & TRIANGLE_ALPHA) != 0u) {
-            bool flipped = has_feature(FEATURE_INSTANCES) &&
-                           (fetch_instance(walk.instance * INSTANCE_TEXELS + 6u).y & INSTANCE_FLIPPED) != 0u;
-            found =
-                alpha_passes(triangle, walk.instance, test.u, test.v, test.back_face != flipped, ray.salt);
-        }
+        bool unsure = found && (flags & TRIANGLE_ALPHA) != 0u;
+        walk.doubt.triangle = unsure ? triangle : walk.doubt.triangle;
+        walk.doubt.instance = unsure ? walk.instance : walk.doubt.instance;
+        walk.doubt.t = unsure ? test.t : walk.doubt.t;
+        walk.doubt.u = unsure ? test.u : walk.doubt.u;
+        walk.doubt.v = unsure ? test.v : walk.doubt.v;
+        walk.doubt.back_face = unsure ? test.back_face : walk.doubt.back_face;
+        found = found && !unsure;
     }
-    walk.hit.triangle = found ? triangle : walk.hit.triangle;
-    if (any_hit) { // all there is to know: nothing is nearer than this
-        walk.hit.t = found ? -1.0 : walk.hit.t;
-    } else {
-        walk.hit.t = found ? test.t : walk.hit.t;
-        walk.hit.instance = found ? walk.instance : walk.hit.instance;
-        walk.hit.u = found ? test.u : walk.hit.u;
-        walk.hit.v = found ? test.v : walk.hit.v;
+    bvh_take_hit(walk, found, triangle, walk.instance, test.t, test.u, test.v, any_hit);
+}
+
+// Looks whether the triangle in doubt is there.
+void bvh_settle(BvhRay ray, inout BvhWalk walk, const bool any_hit) {
+    BvhDoubt doubt = walk.doubt;
+    bool found = false;
+    if (doubt.triangle != NO_TRIANGLE) // the side is that of the mesh's own frame, mirrored or not
+        found = alpha_passes(doubt.triangle, doubt.instance, doubt.u, doubt.v, doubt.back_face, ray.salt);
+    bvh_take_hit(walk, found, doubt.triangle, doubt.instance, doubt.t, doubt.u, doubt.v, any_hit);
+    walk.doubt.triangle = NO_TRIANGLE;
+}
+
+// Ends a walk that needs no more than any hit.
+void bvh_stop_if_hit(inout BvhWalk walk, const bool any_hit) {
+    if (any_hit && walk.hit.triangle != NO_TRIANGLE) {
+        walk.cursor.group = 0u;
+        walk.cursor.leaf_hits = 0u;
     }
 }
 
@@ -179,10 +225,7 @@ void bvh_triangle_step(BvhRay ray, inout BvhWalk walk, const bool any_hit) {
         triangle_test(walk.shear, uintBitsToFloat(x.xyz), uintBitsToFloat(y.xyz), uintBitsToFloat(z.xyz));
     uint flags = walk.shear.texels.x == 0u ? x.w : walk.shear.texels.y == 0u ? y.w : z.w;
     bvh_accept(ray, walk, triangle, flags, test, any_hit);
-    if (any_hit && walk.hit.triangle != NO_TRIANGLE) {
-        walk.cursor.group = 0u;
-        walk.cursor.leaf_hits = 0u;
-    }
+    bvh_stop_if_hit(walk, any_hit);
 }
 
 // Leaves an instance that is done with, enters the next one. t means the same in all frames: an object's

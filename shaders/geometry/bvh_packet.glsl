@@ -12,7 +12,19 @@
 struct BvhPacket {
     BvhWalk walk; // each thread's own ray and hit; cursor, depth and the box's key are the same in all
     uint waiting[BVH_PACKET_REGISTERS];
+    bool halted; // some ray is in doubt; the same in all
 };
+
+bool bvh_packet_has_leaves(BvhPacket packet) {
+    return bvh_has_leaves(packet.walk) && !(has_feature(FEATURE_ALPHA) && packet.halted);
+}
+bool bvh_packet_wants_node(BvhPacket packet) {
+    return bvh_has_nodes(packet.walk) && !bvh_has_leaves(packet.walk) &&
+           !(has_feature(FEATURE_ALPHA) && packet.halted);
+}
+bool bvh_packet_moves(BvhPacket packet) {
+    return bvh_going(packet.walk) && !(has_feature(FEATURE_ALPHA) && packet.halted);
+}
 
 bool bvh_packets_possible() { return WORKGROUP_SIZE >= 8u && !has_feature(FEATURE_INSTANCES); }
 uint bvh_packet_registers() {
@@ -126,6 +138,7 @@ void bvh_packet_triangle_step(BvhRay ray, inout BvhPacket packet, const bool any
     vec3 z = bvh_packet_coordinates(mine, axes.z);
     TriangleHit test = triangle_test(packet.walk.shear, x, y, z);
     bvh_accept(ray, packet.walk, triangle, subgroupShuffle(mine.w, 0u), test, any_hit);
+    if (has_feature(FEATURE_ALPHA)) packet.halted = bvh_or(bvh_in_doubt(packet.walk) ? 1u : 0u) != 0u;
 }
 
 // The lowest thread that is `ready`, if any is.
@@ -144,113 +157,77 @@ uint bvh_leader(bool ready) {
 void bvh_packet_start(inout BvhPacket packet) {
     packet.walk.cursor = BvhCursor(bvh_root_group(frame.root, packet.walk.box.key), 0u, 0u, 0u);
     packet.walk.depth = 0u;
+    packet.halted = false;
     for (uint r = 0u; r < BVH_PACKET_REGISTERS; ++r) packet.waiting[r] = 0u;
 }
 
-// The nearest hits of the rays whose limit is positive and that go into the packet's octant.
-void bvh_trace_octant(BvhRay ray, inout BvhPacket packet, inout uint spent) {
-    bvh_packet_start(packet);
+// Towards the nearest hits of the rays whose limit is positive and that go into the packet's octant, until
+// the packet is done or halted.
+void bvh_walk_octant(BvhRay ray, inout BvhPacket packet, inout uint spent) {
     for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
         for (; spent < BVH_BUDGET; ++spent) {
-            bvh_packet_node_step(packet, true);
-            if (!bvh_wants_node(packet.walk)) break;
+            if (!has_feature(FEATURE_ALPHA) || bvh_packet_wants_node(packet))
+                bvh_packet_node_step(packet, true);
+            if (!bvh_packet_wants_node(packet)) break;
         }
-        if (bvh_has_leaves(packet.walk)) {
+        if (bvh_packet_has_leaves(packet)) {
             for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
                 bvh_packet_triangle_step(ray, packet, false);
-                if (!bvh_has_leaves(packet.walk)) break;
+                if (!bvh_packet_has_leaves(packet)) break;
             }
         }
-        if (!bvh_going(packet.walk)) break;
+        if (!bvh_packet_moves(packet)) break;
     }
 }
 
 // Traces rays 0 to count - 1 to their nearest hits; returns how many this thread could not finish. A packet
 // is traced once for each octant that its directions are in: for camera rays that is one, but at the
-// picture's middle.
+// picture's middle. A packet that halts leaves the loops, settles what is in doubt and comes back: so packets
+// that do not halt pay nothing for it.
 uint bvh_trace_packets(uint count) {
     uint spent = 0u;
     uint unfinished = 0u;
-    for (uint first = 0u; first < count; first += WORKGROUP_SIZE) {
-        uint i = first + gl_SubgroupInvocationID;
-        BvhRay ray = bvh_ray_of(min(i, count - 1u));
-        BvhPacket packet;
-        packet.walk = bvh_begin(ray);
-        uint own_key = packet.walk.box.key;
-        bool waits = i < count;
-        for (uint octant = 0u; octant < 8u; ++octant) {
-            uint key = subgroupShuffle(own_key, bvh_leader(waits));
-            bool now = waits && own_key == key;
-            box_set_key(packet.walk.box, key);
-            float limit = packet.walk.hit.t;
-            packet.walk.hit.t = now ? limit : -1.0;
-            bvh_trace_octant(ray, packet, spent);
-            packet.walk.hit.t = now ? packet.walk.hit.t : limit;
-            unfinished += now && bvh_going(packet.walk) ? 1u : 0u;
-            waits = waits && !now;
-            if (bvh_or(waits ? 1u : 0u) == 0u) break;
-        }
-        if (i < count) bvh_found(i, packet.walk.hit, true);
-        if (first + WORKGROUP_SIZE >= count) break;
-    }
-    return unfinished;
-}
-
-// Rays that are done have a negative limit and meet nothing more.
-void bvh_packet_stop_if_done(inout BvhPacket packet) {
-    if (bvh_or(packet.walk.hit.t > 0.0 ? 1u : 0u) == 0u) packet.walk.cursor.group = 0u;
-}
-
-// Whether anything is in the way of the rays whose limit is positive. Two packets in turn, as every step of
-// one waits for memory and for its own results: a CPU works on the other meanwhile.
-void bvh_trace_pair(BvhRay ray_a, BvhRay ray_b, inout BvhPacket a, inout BvhPacket b, inout uint spent) {
-    bvh_packet_start(a);
-    bvh_packet_start(b);
-    for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
-        for (; spent < BVH_BUDGET; ++spent) {
-            if (bvh_wants_node(a.walk)) bvh_packet_node_step(a, false);
-            if (bvh_wants_node(b.walk)) bvh_packet_node_step(b, false);
-            if (!bvh_wants_node(a.walk) && !bvh_wants_node(b.walk)) break;
-        }
-        if (bvh_has_leaves(a.walk) || bvh_has_leaves(b.walk)) {
-            for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
-                if (bvh_has_leaves(a.walk)) bvh_packet_triangle_step(ray_a, a, true);
-                if (bvh_has_leaves(b.walk)) bvh_packet_triangle_step(ray_b, b, true);
-                if (!bvh_has_leaves(a.walk) && !bvh_has_leaves(b.walk)) break;
-            }
-        }
-        bvh_packet_stop_if_done(a);
-        bvh_packet_stop_if_done(b);
-        if (!bvh_going(a.walk) && !bvh_going(b.walk)) break;
-    }
-}
-
-// A packet of shadow rays, which may go into several octants; the order is the first ray's.
-BvhPacket bvh_shadow_packet(BvhRay ray, bool exists) {
+    uint first = 0u;
+    BvhRay ray;
     BvhPacket packet;
-    packet.walk = bvh_begin(ray);
-    box_set_key(packet.walk.box, subgroupShuffle(packet.walk.box.key, 0u));
-    packet.walk.hit.t = exists ? packet.walk.hit.t : -1.0;
-    return packet;
-}
-
-// Traces rays 0 to count - 1 to any hit; returns how many this thread could not finish.
-uint bvh_trace_pairs(uint count) {
-    uint spent = 0u;
-    uint unfinished = 0u;
-    for (uint first = 0u; first < count; first += 2u * WORKGROUP_SIZE) {
-        uint i = first + gl_SubgroupInvocationID;
-        uint j = i + WORKGROUP_SIZE;
-        BvhRay ray_a = bvh_ray_of(min(i, count - 1u));
-        BvhRay ray_b = bvh_ray_of(min(j, count - 1u));
-        BvhPacket a = bvh_shadow_packet(ray_a, i < count);
-        BvhPacket b = bvh_shadow_packet(ray_b, j < count);
-        bvh_trace_pair(ray_a, ray_b, a, b, spent);
-        unfinished += bvh_going(a.walk) && i < count ? 1u : 0u;
-        unfinished += bvh_going(b.walk) && j < count ? 1u : 0u;
-        if (i < count) bvh_found(i, a.walk.hit, true);
-        if (j < count) bvh_found(j, b.walk.hit, true);
-        if (first + 2u * WORKGROUP_SIZE >= count) break;
+    packet.halted = false;
+    uint own_key = 0u;
+    bool waits = false;
+    bool halted = false;
+    const uint turns = has_feature(FEATURE_ALPHA) ? BVH_BUDGET : 1u;
+    for (uint turn = 0u; turn < turns; ++turn) {
+        for (; first < count; first += WORKGROUP_SIZE) {
+            uint i = first + gl_SubgroupInvocationID;
+            if (!halted) {
+                ray = bvh_ray_of(min(i, count - 1u));
+                packet.walk = bvh_begin(ray);
+                own_key = packet.walk.box.key;
+                waits = i < count;
+            }
+            for (uint octant = 0u; octant < 8u; ++octant) {
+                uint key = subgroupShuffle(own_key, bvh_leader(waits));
+                bool now = waits && own_key == key;
+                box_set_key(packet.walk.box, key);
+                float limit = packet.walk.hit.t;
+                packet.walk.hit.t = now ? limit : -1.0;
+                if (!halted) bvh_packet_start(packet);
+                bvh_walk_octant(ray, packet, spent);
+                halted = has_feature(FEATURE_ALPHA) && packet.halted && spent < BVH_BUDGET;
+                packet.walk.hit.t = now ? packet.walk.hit.t : limit;
+                unfinished += now && !halted && bvh_unfinished(packet.walk) ? 1u : 0u;
+                waits = waits && (!now || halted);
+                if (halted || bvh_or(waits ? 1u : 0u) == 0u) break;
+            }
+            if (halted) break;
+            if (i < count) bvh_found(i, packet.walk.hit, true);
+            if (first + WORKGROUP_SIZE >= count) break;
+        }
+        if (has_feature(FEATURE_ALPHA)) {
+            bvh_settle(ray, packet.walk, false);
+            packet.halted = false;
+            spent += 2u + BVH_WIDTH * BVH_MAX_LEAF;
+            if (!halted) break;
+        }
     }
     return unfinished;
 }

@@ -6,10 +6,9 @@
 // Steps per ray that keep all rays of an invocation together below that limit.
 uint bvh_step_limit() { return clamp(60000u * WORKGROUP_SIZE / SEGMENT_SIZE, 64u, 16384u); }
 
-// Loops test at their end, as lavapipe runs a body once more, for nobody, where a test at the head fails.
-Hit bvh_trace(BvhRay ray, const bool any_hit, out bool exhausted) {
-    BvhWalk walk = bvh_begin(ray);
-    uint steps = 0u;
+// Walks until the ray is done or in doubt. Loops test at their end, as lavapipe runs a body once more, for
+// nobody, where a test at the head fails.
+void bvh_walk(BvhRay ray, inout BvhWalk walk, inout uint steps, const bool any_hit) {
     const uint limit = bvh_step_limit();
     for (uint round = 0u; round < limit; ++round) {
         if (bvh_wants_node(walk)) {
@@ -27,7 +26,24 @@ Hit bvh_trace(BvhRay ray, const bool any_hit, out bool exhausted) {
         }
         if (has_feature(FEATURE_INSTANCES)) bvh_instance_step(ray, walk, any_hit);
         ++steps;
-        if (!bvh_going(walk) || steps > limit) break;
+        if (!bvh_going(walk) || bvh_in_doubt(walk) || steps > limit) break;
+    }
+}
+
+Hit bvh_trace(BvhRay ray, const bool any_hit, out bool exhausted) {
+    BvhWalk walk = bvh_begin(ray);
+    uint steps = 0u;
+    if (!has_feature(FEATURE_ALPHA)) {
+        bvh_walk(ray, walk, steps, any_hit);
+    } else {
+        const uint limit = bvh_step_limit();
+        for (uint turn = 0u; turn < limit; ++turn) {
+            bvh_walk(ray, walk, steps, any_hit);
+            bvh_settle(ray, walk, any_hit);
+            bvh_stop_if_hit(walk, any_hit);
+            ++steps;
+            if (!bvh_going(walk) || steps > limit) break;
+        }
     }
     exhausted = bvh_going(walk);
     return walk.hit;

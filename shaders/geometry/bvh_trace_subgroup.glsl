@@ -9,9 +9,12 @@
 // Below this the driver's own limit of 65,535 iterations per invocation is not reached (Mesa 22.3).
 const uint BVH_BUDGET = 60000u;
 
-#include "bvh_packet.glsl"
+#include "bvh_pairs.glsl"
 
 const uint BVH_NONE = 0xffffffffu;
+// As many rays as this halt before they look at what is in doubt. Measured on lavapipe: 2 of 8, of 1 to 4; a
+// few per cent lie between them.
+const uint BVH_DOUBTS = (WORKGROUP_SIZE + 3u) / 4u;
 
 uint bvh_count(bool flag) {
     uint sum = flag ? 1u : 0u;
@@ -26,6 +29,35 @@ uint bvh_count(bool flag) {
     return sum;
 }
 
+bool bvh_moves(BvhWalk walk) { return bvh_going(walk) && !bvh_in_doubt(walk); }
+
+// Walks on while it is worth while: where there are `more` rays, as long as most threads have work. Returns
+// how many still have.
+uint bvh_walk(BvhRay ray, inout BvhWalk walk, inout uint spent, bool more, const bool any_hit) {
+    uint few = more ? WORKGROUP_SIZE * 3u / 8u : 0u;
+    uint half_full = more ? WORKGROUP_SIZE / 2u : 0u;
+    uint busy = 0u;
+    for (uint run = 0u; run < BVH_BUDGET; ++run) {
+        spent += 1u + BVH_WIDTH * BVH_MAX_LEAF;
+        for (uint i = 0u; i < BVH_BUDGET; ++i) {
+            ++spent;
+            if (bvh_wants_node(walk)) bvh_node_step(walk);
+            if (bvh_count(bvh_wants_node(walk)) <= few) break;
+        }
+        if (bvh_wants_triangle(walk)) {
+            for (uint i = 0u; i < BVH_WIDTH * BVH_MAX_LEAF; ++i) {
+                bvh_triangle_step(ray, walk, any_hit);
+                if (!bvh_wants_triangle(walk)) break;
+            }
+        }
+        if (has_feature(FEATURE_INSTANCES)) bvh_instance_step(ray, walk, any_hit);
+        busy = bvh_count(bvh_moves(walk));
+        if (busy <= half_full || spent > BVH_BUDGET) break;
+    }
+    return busy;
+}
+
+// What is in doubt is settled outside the loop over rounds, which does not pay for it so.
 uint bvh_trace_replacing(uint count, const bool any_hit) {
     uint next = 0u;
     uint slot = BVH_NONE; // of this thread's ray
@@ -33,41 +65,33 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
     BvhRay ray;
     BvhWalk walk;
     walk.cursor = BvhCursor(0u, 0u, 0u, 0u);
-    uint busy = 0u;
-    for (uint round = 0u; round < BVH_BUDGET; ++round) {
-        bool idle = !bvh_going(walk);
-        if (slot != BVH_NONE) {
-            bvh_found(slot, walk.hit, idle);
-            slot = idle ? BVH_NONE : slot;
-        }
-        Scan free = scan_keepers(idle);
-        if (idle && next + free.before < count) {
-            slot = next + free.before;
-            ray = bvh_ray_of(slot);
-            walk = bvh_begin(ray);
-        }
-        next = min(next + free.total, count);
-        // While there are more rays, work goes on as long as it is worth while for most threads.
-        uint few = next < count ? WORKGROUP_SIZE * 3u / 8u : 0u;
-        uint half_full = next < count ? WORKGROUP_SIZE / 2u : 0u;
-        for (uint run = 0u; run < BVH_BUDGET; ++run) {
-            spent += 1u + BVH_WIDTH * BVH_MAX_LEAF;
-            for (uint i = 0u; i < BVH_BUDGET; ++i) {
-                ++spent;
-                if (bvh_wants_node(walk)) bvh_node_step(walk);
-                if (bvh_count(bvh_wants_node(walk)) <= few) break;
+    walk.doubt.triangle = NO_TRIANGLE;
+    const uint turns = has_feature(FEATURE_ALPHA) ? BVH_BUDGET : 1u;
+    for (uint turn = 0u; turn < turns; ++turn) {
+        for (uint round = 0u; round < BVH_BUDGET; ++round) {
+            bool idle = !bvh_unfinished(walk);
+            if (slot != BVH_NONE) {
+                bvh_found(slot, walk.hit, idle);
+                slot = idle ? BVH_NONE : slot;
             }
-            if (bvh_wants_triangle(walk)) {
-                for (uint i = 0u; i < BVH_WIDTH * BVH_MAX_LEAF; ++i) {
-                    bvh_triangle_step(ray, walk, any_hit);
-                    if (!bvh_wants_triangle(walk)) break;
-                }
+            Scan free = scan_keepers(idle);
+            if (idle && next + free.before < count) {
+                slot = next + free.before;
+                ray = bvh_ray_of(slot);
+                walk = bvh_begin(ray);
             }
-            if (has_feature(FEATURE_INSTANCES)) bvh_instance_step(ray, walk, any_hit);
-            busy = bvh_count(bvh_going(walk));
-            if (busy <= half_full || spent > BVH_BUDGET) break;
+            next = min(next + free.total, count);
+            uint busy = bvh_walk(ray, walk, spent, next < count, any_hit);
+            if ((next >= count && busy == 0u) || spent > BVH_BUDGET) break;
+            if (has_feature(FEATURE_ALPHA)) {
+                if (bvh_count(bvh_in_doubt(walk)) >= BVH_DOUBTS) break;
+            }
         }
-        if ((next >= count && busy == 0u) || spent > BVH_BUDGET) break;
+        if (has_feature(FEATURE_ALPHA)) {
+            bvh_settle(ray, walk, any_hit);
+            bvh_stop_if_hit(walk, any_hit);
+            if ((next >= count && bvh_count(bvh_going(walk)) == 0u) || spent > BVH_BUDGET) break;
+        }
     }
     uint unfinished = 0u;
     if (slot != BVH_NONE) {
