@@ -16,6 +16,7 @@ struct ReferenceHit {
     std::uint32_t triangle = shared::NO_TRIANGLE;
     float u = 0;
     float v = 0;
+    bool back_face = false;
 };
 
 class ReferenceRay {
@@ -48,7 +49,7 @@ class ReferenceRay {
         if (!(t > reach * shared::TRIANGLE_T_ERROR)) return;
         const bool closer =
             t < hit.t || (t == hit.t && hit.triangle != shared::NO_TRIANGLE && index < hit.triangle);
-        if (closer) hit = {t, index, v * inverse, w * inverse};
+        if (closer) hit = {t, index, v * inverse, w * inverse, (determinant < 0) != (shear_.z < 0)};
     }
 
   private:
@@ -59,12 +60,23 @@ class ReferenceRay {
     int main_ = 2;
 };
 
-inline ReferenceHit reference_closest(std::span<const shared::TriangleRecord> triangles,
-                                      const glm::vec3& origin, const glm::vec3& direction) {
+// `there` says of a hit whether it counts.
+template <class There> ReferenceHit reference_closest(std::span<const shared::TriangleRecord> triangles,
+                                                      const glm::vec3& origin, const glm::vec3& direction,
+                                                      There there) {
     const ReferenceRay ray(origin, direction);
     ReferenceHit hit;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) ray.test(triangles[i], i, hit);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        ReferenceHit next = hit;
+        ray.test(triangles[i], i, next);
+        if (next.triangle == i && there(next)) hit = next;
+    }
     return hit;
+}
+
+inline ReferenceHit reference_closest(std::span<const shared::TriangleRecord> triangles,
+                                      const glm::vec3& origin, const glm::vec3& direction) {
+    return reference_closest(triangles, origin, direction, [](const ReferenceHit&) { return true; });
 }
 
 } // namespace ajar::test

@@ -8,15 +8,18 @@ namespace {
 
 using namespace shared;
 
-gpu::Specialization specialization(const gpu::Device& device, const bvh::SceneBvh& bvh,
-                                   const RigOptions& options, std::uint32_t option) {
+gpu::Specialization specialization(const gpu::Device& device, const TraceScene& scene,
+                                   const bvh::SceneBvh& bvh, const RigOptions& options,
+                                   std::uint32_t option) {
+    const std::uint32_t features =
+        (scene.placements.empty() ? 0 : FEATURE_INSTANCES) | (scene.materials.empty() ? 0 : FEATURE_ALPHA);
     const std::uint32_t workgroup =
         options.workgroup_size != 0 ? options.workgroup_size : device.workgroup_size();
     return {{SPEC_WORKGROUP_SIZE, workgroup},
             {SPEC_SEGMENT_SIZE, options.segment_size},
             {SPEC_TEXEL_BUFFERS, options.texel_buffers ? 1 : 0},
             {SPEC_PATH_TEXELS, options.texel_buffers ? 1 : 0},
-            {SPEC_FEATURES, bvh.placement_order.empty() ? 0 : FEATURE_INSTANCES},
+            {SPEC_FEATURES, features},
             {SPEC_STACK_REGISTERS, options.stack_in_memory ? 0 : bvh::stack_registers(bvh)},
             {SPEC_OPTION, option}};
 }
@@ -79,32 +82,54 @@ std::vector<RigOptions> trace_variants(std::uint32_t RigOptions::*option,
 
 TraceRig::TraceRig(const gpu::Device& device, const TraceScene& scene, const RigOptions& options)
     : device_(device), options_(options), bvh_(build(scene)), bindings_(device),
-      extend_(device, "extend", specialization(device, bvh_, options, options.extend_option)),
-      connect_(device, "connect", specialization(device, bvh_, options, options.connect_option)) {
+      extend_(device, "extend", specialization(device, scene, bvh_, options, options.extend_option)),
+      connect_(device, "connect", specialization(device, scene, bvh_, options, options.connect_option)) {
     fill_tables(scene);
-    nodes_buffer_ = upload(device, bvh_.nodes, "nodes");
-    triangles_buffer_ = upload(device, triangles_, "triangles");
-    instances_buffer_ = upload(device, instances_, "instances");
+    upload_tables(scene);
+}
+
+void TraceRig::upload_tables(const TraceScene& scene) {
+    nodes_buffer_ = upload(device_, bvh_.nodes, "nodes");
+    triangles_buffer_ = upload(device_, triangles_, "triangles");
+    surfaces_buffer_ = upload(device_, surfaces_, "surfaces");
+    instances_buffer_ = upload(device_, instances_, "instances");
+    materials_buffer_ = upload(device_, scene.materials, "materials");
     FrameRecord frame{};
     frame.nodes.address = nodes_buffer_.address();
     frame.triangles.address = triangles_buffer_.address();
+    frame.surfaces.address = surfaces_buffer_.address();
     frame.instances.address = instances_buffer_.address();
+    frame.materials.address = materials_buffer_.address();
     frame.root = bvh_.root;
-    frame_ = gpu::Buffer(device, sizeof(frame), "frame");
+    frame.cull_backfaces = scene.cull_backfaces ? 1 : 0;
+    frame_ = gpu::Buffer(device_, sizeof(frame), "frame");
     frame_.write(std::as_bytes(std::span(&frame, 1)));
     bindings_.uniform(frame_);
-    if (!options.texel_buffers) return;
+    if (!options_.texel_buffers) return;
     bindings_.table(BIND_NODES, nodes_buffer_);
     bindings_.table(BIND_TRIANGLES, triangles_buffer_);
+    bindings_.table(BIND_SURFACES, surfaces_buffer_);
     bindings_.table(BIND_INSTANCES, instances_buffer_);
+    bindings_.table(BIND_MATERIALS, materials_buffer_);
 }
 
 void TraceRig::fill_tables(const TraceScene& scene) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const bvh::MeshRange& range = bvh_.meshes[m];
         for (std::uint32_t k = 0; k < range.triangle_count; ++k) {
-            const bvh::Triangle& triangle = scene.meshes[m][bvh_.order[range.first_triangle + k]];
-            triangles_.push_back(bvh::make_record(triangle, 0, 0, 0));
+            const std::uint32_t from = bvh_.order[range.first_triangle + k];
+            SurfaceRecord surface{};
+            surface.light = NO_LIGHT;
+            bool sure = scene.materials.empty();
+            if (!sure) {
+                surface.material = from % std::uint32_t(scene.materials.size());
+                const std::uint32_t flags = scene.materials[surface.material].flags;
+                sure = (flags & (MATERIAL_MASK | MATERIAL_BLEND)) == 0 &&
+                       (!scene.cull_backfaces || (flags & MATERIAL_DOUBLE_SIDED) != 0);
+            }
+            triangles_.push_back(
+                bvh::make_record(scene.meshes[m][from], sure ? 0 : TRIANGLE_ALPHA, surface.material, 0));
+            surfaces_.push_back(surface);
         }
     }
     const glm::vec4 x(1, 0, 0, 0), y(0, 1, 0, 0), z(0, 0, 1, 0);

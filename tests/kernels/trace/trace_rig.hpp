@@ -9,6 +9,7 @@
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/geometry.glsl.h"
+#include "shaders/shared/material.glsl.h"
 #include "shaders/shared/path.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
@@ -18,6 +19,10 @@ namespace ajar::test {
 struct TraceScene {
     std::vector<std::vector<bvh::Triangle>> meshes;
     std::vector<bvh::Placement> placements;
+    // Triangle k of each mesh is of material k modulo their number, and has to be looked at when it is hit
+    // unless that is opaque; none: all is opaque.
+    std::vector<shared::MaterialRecord> materials = {};
+    bool cull_backfaces = false;
 };
 
 struct RigOptions {
@@ -53,10 +58,12 @@ class TraceRig {
     const bvh::SceneBvh& bvh() const { return bvh_; }
     // In leaf order.
     const std::vector<shared::TriangleRecord>& triangles() const { return triangles_; }
+    std::uint32_t first_triangle(std::uint32_t mesh) const { return bvh_.meshes[mesh].first_triangle; }
     const std::vector<shared::InstanceRecord>& instances() const { return instances_; }
 
   private:
     void fill_tables(const TraceScene& scene);
+    void upload_tables(const TraceScene& scene);
     shared::SegmentArgs begin(std::size_t rays, bool shadows);
     void finish(gpu::Commands& commands, const shared::SegmentArgs& args, RigResult& result);
 
@@ -65,7 +72,9 @@ class TraceRig {
     bvh::SceneBvh bvh_;
     std::vector<shared::TriangleRecord> triangles_;
     std::vector<shared::InstanceRecord> instances_;
-    gpu::Buffer nodes_buffer_, triangles_buffer_, instances_buffer_, frame_;
+    std::vector<shared::SurfaceRecord> surfaces_;
+    gpu::Buffer nodes_buffer_, triangles_buffer_, surfaces_buffer_, instances_buffer_, materials_buffer_,
+        frame_;
     gpu::Buffer paths_, shadow_rays_, segments_, radiance_;
     gpu::Bindings bindings_;
     gpu::Kernel<shared::ExtendArgs> extend_;
