@@ -164,14 +164,17 @@ void bvh_packet_start(inout BvhPacket packet) {
 // Towards the nearest hits of the rays whose limit is positive and that go into the packet's octant, until
 // the packet is done or halted.
 void bvh_walk_octant(BvhRay ray, inout BvhPacket packet, inout uint spent) {
-    for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
-        for (; spent < BVH_BUDGET; ++spent) {
+    while (spent < BVH_BUDGET) {
+        ++spent;
+        while (spent < BVH_BUDGET) {
+            ++spent;
             if (!has_feature(FEATURE_ALPHA) || bvh_packet_wants_node(packet))
                 bvh_packet_node_step(packet, true);
             if (!bvh_packet_wants_node(packet)) break;
         }
         if (bvh_packet_has_leaves(packet)) {
             for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
+                ++spent;
                 bvh_packet_triangle_step(ray, packet, false);
                 if (!bvh_packet_has_leaves(packet)) break;
             }
@@ -205,6 +208,7 @@ uint bvh_trace_packets(uint count) {
                 waits = i < count;
             }
             for (uint octant = 0u; octant < 8u; ++octant) {
+                spent += 2u; // of which one for the loop around
                 uint key = subgroupShuffle(own_key, bvh_leader(waits));
                 bool now = waits && own_key == key;
                 box_set_key(packet.walk.box, key);
@@ -225,7 +229,7 @@ uint bvh_trace_packets(uint count) {
         if (has_feature(FEATURE_ALPHA)) {
             bvh_settle(ray, packet.walk, false);
             packet.halted = false;
-            spent += 2u + BVH_WIDTH * BVH_MAX_LEAF;
+            ++spent;
             if (!halted) break;
         }
     }

@@ -14,14 +14,17 @@ void bvh_packet_stop_if_done(inout BvhPacket packet) {
 
 // Whether anything is in the way of the rays whose limit is positive: until both packets are done or halted.
 void bvh_walk_pair(BvhRay ray_a, BvhRay ray_b, inout BvhPacket a, inout BvhPacket b, inout uint spent) {
-    for (; spent < BVH_BUDGET; spent += 1u + BVH_WIDTH * BVH_MAX_LEAF) {
-        for (; spent < BVH_BUDGET; ++spent) {
+    while (spent < BVH_BUDGET) {
+        ++spent;
+        while (spent < BVH_BUDGET) {
+            ++spent;
             if (bvh_packet_wants_node(a)) bvh_packet_node_step(a, false);
             if (bvh_packet_wants_node(b)) bvh_packet_node_step(b, false);
             if (!bvh_packet_wants_node(a) && !bvh_packet_wants_node(b)) break;
         }
         if (bvh_packet_has_leaves(a) || bvh_packet_has_leaves(b)) {
             for (uint k = 0u; k < BVH_WIDTH * BVH_MAX_LEAF; ++k) {
+                ++spent;
                 if (bvh_packet_has_leaves(a)) bvh_packet_triangle_step(ray_a, a, true);
                 if (bvh_packet_has_leaves(b)) bvh_packet_triangle_step(ray_b, b, true);
                 if (!bvh_packet_has_leaves(a) && !bvh_packet_has_leaves(b)) break;
@@ -68,6 +71,7 @@ uint bvh_trace_pairs(uint count) {
                 a = bvh_shadow_packet(ray_a, i < count);
                 b = bvh_shadow_packet(ray_b, j < count);
             }
+            ++spent;
             bvh_walk_pair(ray_a, ray_b, a, b, spent);
             halted = has_feature(FEATURE_ALPHA) && (a.halted || b.halted) && spent < BVH_BUDGET;
             if (halted) break;
@@ -80,7 +84,7 @@ uint bvh_trace_pairs(uint count) {
         if (has_feature(FEATURE_ALPHA)) {
             bvh_settle_packet(ray_a, a);
             bvh_settle_packet(ray_b, b);
-            spent += 2u + BVH_WIDTH * BVH_MAX_LEAF;
+            ++spent;
             if (!halted) break;
         }
     }

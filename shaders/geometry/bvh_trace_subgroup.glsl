@@ -29,6 +29,17 @@ uint bvh_count(bool flag) {
     return sum;
 }
 
+uint bvh_max(uint value) {
+    if (WORKGROUP_SIZE > 1u) value = max(value, subgroupShuffleXor(value, 1u));
+    if (WORKGROUP_SIZE > 2u) value = max(value, subgroupShuffleXor(value, 2u));
+    if (WORKGROUP_SIZE > 4u) value = max(value, subgroupShuffleXor(value, 4u));
+    if (WORKGROUP_SIZE > 8u) value = max(value, subgroupShuffleXor(value, 8u));
+    if (WORKGROUP_SIZE > 16u) value = max(value, subgroupShuffleXor(value, 16u));
+    if (WORKGROUP_SIZE > 32u) value = max(value, subgroupShuffleXor(value, 32u));
+    if (WORKGROUP_SIZE > 64u) value = max(value, subgroupShuffleXor(value, 64u));
+    return value;
+}
+
 bool bvh_moves(BvhWalk walk) { return bvh_going(walk) && !bvh_in_doubt(walk); }
 
 // Walks on while it is worth while: where there are `more` rays, as long as most threads have work. Returns
@@ -38,18 +49,21 @@ uint bvh_walk(BvhRay ray, inout BvhWalk walk, inout uint spent, bool more, const
     uint half_full = more ? WORKGROUP_SIZE / 2u : 0u;
     uint busy = 0u;
     for (uint run = 0u; run < BVH_BUDGET; ++run) {
-        spent += 1u + BVH_WIDTH * BVH_MAX_LEAF;
         for (uint i = 0u; i < BVH_BUDGET; ++i) {
             ++spent;
             if (bvh_wants_node(walk)) bvh_node_step(walk);
             if (bvh_count(bvh_wants_node(walk)) <= few) break;
         }
+        uint tried = 0u;
         if (bvh_wants_triangle(walk)) {
             for (uint i = 0u; i < BVH_WIDTH * BVH_MAX_LEAF; ++i) {
+                ++tried;
                 bvh_triangle_step(ray, walk, any_hit);
                 if (!bvh_wants_triangle(walk)) break;
             }
         }
+        // Rays that halt spend more rounds: counted exactly, which costs a little.
+        spent += 1u + (has_feature(FEATURE_ALPHA) ? bvh_max(tried) : BVH_WIDTH * BVH_MAX_LEAF);
         if (has_feature(FEATURE_INSTANCES)) bvh_instance_step(ray, walk, any_hit);
         busy = bvh_count(bvh_moves(walk));
         if (busy <= half_full || spent > BVH_BUDGET) break;
@@ -69,6 +83,7 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
     const uint turns = has_feature(FEATURE_ALPHA) ? BVH_BUDGET : 1u;
     for (uint turn = 0u; turn < turns; ++turn) {
         for (uint round = 0u; round < BVH_BUDGET; ++round) {
+            if (has_feature(FEATURE_ALPHA)) ++spent;
             bool idle = !bvh_unfinished(walk);
             if (slot != BVH_NONE) {
                 bvh_found(slot, walk.hit, idle);
@@ -88,6 +103,7 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
             }
         }
         if (has_feature(FEATURE_ALPHA)) {
+            ++spent;
             bvh_settle(ray, walk, any_hit);
             bvh_stop_if_hit(walk, any_hit);
             if ((next >= count && bvh_count(bvh_going(walk)) == 0u) || spent > BVH_BUDGET) break;
