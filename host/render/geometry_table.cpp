@@ -4,6 +4,7 @@
 #include "render/material_table.hpp"
 #include "render/surface_words.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <tbb/parallel_for.h>
@@ -104,7 +105,21 @@ void fill_records(GeometryTable& table, const Scene& scene, const GeometryOption
                                     &table.surfaces[std::size_t{k} * table.surface_words]);
             });
     }
-    for (const TriangleRecord& t : table.triangles) table.has_alpha |= (t.flags & TRIANGLE_ALPHA) != 0;
+}
+
+std::uint64_t count_unsure(const GeometryTable& table, const std::vector<bvh::Placement>& placements) {
+    std::vector<std::uint64_t> uses(table.bvh.meshes.size());
+    uses[0] = 1;
+    for (const bvh::Placement& placement : placements) ++uses[placement.mesh];
+    std::uint64_t count = 0;
+    for (std::size_t m = 0; m < uses.size(); ++m) {
+        const bvh::MeshRange& range = table.bvh.meshes[m];
+        const auto first = table.triangles.begin() + range.first_triangle;
+        count += uses[m] * static_cast<std::uint64_t>(std::count_if(
+                               first, first + range.triangle_count,
+                               [](const TriangleRecord& t) { return (t.flags & TRIANGLE_ALPHA) != 0; }));
+    }
+    return count;
 }
 
 } // namespace
@@ -140,6 +155,7 @@ GeometryTable build_geometry_table(const Scene& scene, const GeometryOptions& op
     table.bvh = bvh::build_scene_bvh(meshes, placements);
     table.world_triangles = table.bvh.meshes[0].triangle_count;
     fill_records(table, scene, options, parts);
+    table.unsure_triangles = count_unsure(table, placements);
     table.instances.push_back(instance_record(glm::mat4(1), table.bvh.meshes[0].root, 0));
     for (const std::uint32_t p : table.bvh.placement_order) {
         const std::uint32_t i = placed_instances[p];

@@ -33,7 +33,7 @@ struct GeometryTable {
     std::uint32_t surface_words = 0;               // per triangle
     std::vector<shared::InstanceRecord> instances; // 0: the world
     std::uint32_t world_triangles = 0;             // leaf order begins with them
-    bool has_alpha = false;
+    std::uint64_t unsure_triangles = 0; // that rays have to look at (TRIANGLE_ALPHA), in all instances
 };
 
 GeometryTable build_geometry_table(const Scene& scene, const GeometryOptions& options);

@@ -70,7 +70,8 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     if (host.geometry.instances.size() > 1) features_ |= FEATURE_INSTANCES;
     stack_registers_ = bvh::stack_registers(host.geometry.bvh);
     suits_shadow_packets_ = bvh::suits_shadow_packets(host.geometry.bvh);
-    if (host.geometry.has_alpha) features_ |= FEATURE_ALPHA;
+    unsure_triangles_ = host.geometry.unsure_triangles;
+    if (unsure_triangles_ > 0) features_ |= FEATURE_ALPHA;
     if (geometry_options.extended_surfaces) features_ |= FEATURE_EXTENDED_SURFACE;
     frame_.root = host.geometry.bvh.root;
     frame_.instance_count = static_cast<std::uint32_t>(host.geometry.instances.size());

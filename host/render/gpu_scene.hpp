@@ -26,6 +26,7 @@ class GpuScene {
 
     // FEATURE_* bits of everything in the scene.
     std::uint32_t features() const { return features_; }
+    std::uint64_t unsure_triangles() const { return unsure_triangles_; } // of alpha or culled from behind
     std::uint32_t stack_registers() const { return stack_registers_; }
     bool suits_shadow_packets() const { return suits_shadow_packets_; }
     // 1: tables are read through texel buffers; 0: one does not fit the device's, so all go through pointers.
@@ -51,6 +52,7 @@ class GpuScene {
     std::array<gpu::Buffer, shared::TABLE_COUNT> tables_; // by binding - BIND_TABLE_FIRST
     shared::FrameRecord frame_{};
     std::uint32_t features_ = 0;
+    std::uint64_t unsure_triangles_ = 0;
     std::uint32_t stack_registers_ = 0;
     bool suits_shadow_packets_ = false;
     std::uint32_t texel_buffers_ = 1;

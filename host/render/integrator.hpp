@@ -4,12 +4,15 @@
 #include "gpu/kernel.hpp"
 #include "render/render.hpp"
 #include "render/settings.hpp"
+#include "shaders/kernels/connect.glsl.h"
+#include "shaders/kernels/extend.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace ajar {
@@ -34,13 +37,19 @@ using Step = std::function<void(gpu::Commands&, const shared::SegmentArgs&)>;
 // The dispatches of a pass, in order.
 class Steps {
   public:
+    // trace_shares: workgroups a segment for kernels that trace (SPEC_TRACE_SHARES).
+    explicit Steps(std::uint32_t trace_shares) : trace_shares_(trace_shares) {}
+
     // A kernel over segments; its arguments are the slice alone. The kernel must outlive the steps.
     template <class Args> void add(const gpu::Kernel<Args>& kernel, std::uint32_t bounce) {
-        list_.push_back([&kernel, bounce](gpu::Commands& commands, const shared::SegmentArgs& slice) {
+        constexpr bool traces =
+            std::is_same_v<Args, shared::ExtendArgs> || std::is_same_v<Args, shared::ConnectArgs>;
+        const std::uint32_t groups = traces ? trace_shares_ : 1;
+        list_.push_back([&kernel, bounce, groups](gpu::Commands& commands, const shared::SegmentArgs& slice) {
             Args args{};
             args.segments = slice;
             args.segments.bounce = bounce;
-            kernel.dispatch(commands, args, slice.segment_count);
+            kernel.dispatch(commands, args, slice.segment_count * groups);
         });
     }
     void add(Step step) { list_.push_back(std::move(step)); }
@@ -52,6 +61,7 @@ class Steps {
     const std::vector<Step>& list() const { return list_; }
 
   private:
+    std::uint32_t trace_shares_;
     std::vector<Step> list_;
     Step aovs_;
 };

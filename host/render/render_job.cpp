@@ -49,7 +49,7 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
                                         gpu_scene.frame().light_count},
       generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
       accumulate_(device, "accumulate", context_.specialization),
-      integrator_(find_integrator(settings.integrator).make(context_)) {
+      integrator_(find_integrator(settings.integrator).make(context_)), steps_(trace_shares()) {
     settings_.pool_paths = pool_.paths();
     settings_.segment_paths = pool_.segment_paths();
     if (settings.aovs) aov_.emplace(device, "aov", context_.specialization);
@@ -76,7 +76,18 @@ gpu::Specialization RenderJob::specialization() const {
             {SPEC_STRATEGY, find_strategy(settings_.strategy)},
             {SPEC_HEURISTIC, find_heuristic(settings_.heuristic)},
             {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)},
+            {SPEC_TRACE_SHARES, trace_shares()},
             {SPEC_SAMPLER, find_sampler(settings_.sampler)}};
+}
+
+// A driver ends all loops of an invocation after 65,535 iterations (lavapipe of Mesa 22.3), and rays through
+// foliage take many: with 64 a thread, none too many through 40,000 triangles with holes, a hundredth of the
+// rays through 400,000. More workgroups cost more, as most are idle where few paths are left.
+std::uint32_t RenderJob::trace_shares() const {
+    const std::uint64_t triangles = gpu_scene_.unsure_triangles();
+    const std::uint32_t rays = triangles < 1u << 16 ? 64 : triangles < 1u << 19 ? 32 : 16; // a thread
+    if (triangles == 0) return 1;
+    return std::max(pool_.segment_paths() / (device_.workgroup_size() * rays), 1u);
 }
 
 void RenderJob::add_steps() {
@@ -113,7 +124,7 @@ bool RenderJob::learn(const ProgressSink& progress) {
     constexpr std::uint32_t PATHS = 1u << 19;
     constexpr std::uint32_t OTHER_SEED = 0x6c656172; // "lear"
     const Clock::time_point start = Clock::now();
-    Steps steps;
+    Steps steps(trace_shares());
     steps.add(generate_, 0);
     integrator_->add_learning_steps(steps);
     const std::uint32_t samples = std::bit_floor(std::max(PATHS / film_.pixel_count(), 1u));

@@ -8,11 +8,27 @@
 
 // The segment of this workgroup, or NO_SEGMENT when there are more workgroups than segments.
 const uint NO_SEGMENT = 0xffffffffu;
-uint segment_index(SegmentArgs args) {
-    uint w = workgroup_index();
+uint segment_index_of(SegmentArgs args, uint w) {
     if (w >= args.segment_count) return NO_SEGMENT;
     // Products stay below 2^32: at most 2^16 segments in a dispatch.
     return args.first_segment + (w * args.segment_stride) % args.segment_count;
+}
+uint segment_index(SegmentArgs args) { return segment_index_of(args, workgroup_index()); }
+
+// The same where TRACE_SHARES workgroups share a segment.
+struct SegmentShare {
+    uint segment; // or NO_SEGMENT
+    uint first;   // of its slots
+    uint size;    // slots
+};
+SegmentShare segment_share(SegmentArgs args) {
+    uint size = SEGMENT_SIZE / TRACE_SHARES;
+    uint w = workgroup_index();
+    return SegmentShare(segment_index_of(args, w / TRACE_SHARES), w % TRACE_SHARES * size, size);
+}
+// How many of a segment's first `count` slots are in the share.
+uint segment_share_of(SegmentShare share, uint count) {
+    return min(count - min(count, share.first), share.size);
 }
 
 // Paths that segment begins with.

@@ -14,6 +14,7 @@ layout(constant_id = 6) const uint OPTION = 0;
 layout(constant_id = 7) const uint PATH_TEXELS = 0;
 layout(constant_id = 8) const uint STACK_REGISTERS = 0;
 layout(constant_id = 10) const uint HEURISTIC = 0;
+layout(constant_id = 11) const uint TRACE_SHARES = 1;
 layout(constant_id = 9) const uint SAMPLER = 0;
 
 bool has_feature(uint bits) { return (FEATURES & bits) != 0u; }

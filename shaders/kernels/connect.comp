@@ -9,7 +9,7 @@
 
 layout(push_constant, scalar) uniform ArgsBlock { ConnectArgs args; };
 
-uint first_slot; // of the segment
+uint first_slot; // of this workgroup's share of the segment
 uint open_rays = 0u;
 
 BvhRay bvh_ray_of(uint i) {
@@ -33,17 +33,18 @@ void bvh_found(uint i, Hit hit, bool done) {
 }
 
 void main() {
-    uint segment = segment_index(args.segments);
+    SegmentShare share = segment_share(args.segments);
+    uint segment = share.segment;
     if (segment == NO_SEGMENT) return;
-    first_slot = segment * SEGMENT_SIZE;
+    first_slot = segment * SEGMENT_SIZE + share.first;
     uint count = segments[segment].shadows;
-    uint unfinished = bvh_trace_all(count, OPTION == CONNECT_TOGETHER, true);
+    uint unfinished = bvh_trace_all(segment_share_of(share, count), OPTION == CONNECT_TOGETHER, true);
     if (unfinished > 0u) atomicAdd(segments[segment].loops_exhausted, unfinished);
     if (open_rays > 0u) {
         uint low = atomicAdd(segments[segment].shadows_open[0], open_rays);
         if (low + open_rays < low) atomicAdd(segments[segment].shadows_open[1], 1u);
     }
-    if (gl_LocalInvocationID.x == 0u) {
+    if (gl_LocalInvocationID.x == 0u && share.first == 0u) {
         uint low = segments[segment].shadows_traced[0];
         segments[segment].shadows_traced[0] = low + count;
         segments[segment].shadows_traced[1] += low + count < low ? 1u : 0u;

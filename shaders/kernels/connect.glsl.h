@@ -1,6 +1,7 @@
 // connect: traces the shadow rays of a segment and adds the contribution of those that arrive to the path's
-// radiance. Reads BIND_SHADOW_RAYS, BIND_SEGMENTS; adds to BIND_RADIANCE[home]; counts in SegmentCounts. One
-// workgroup per segment; a path has at most one shadow ray per bounce, so no two threads add to one place.
+// radiance. Reads BIND_SHADOW_RAYS, BIND_SEGMENTS; adds to BIND_RADIANCE[home]; counts in SegmentCounts.
+// TRACE_SHARES workgroups per segment; a path has at most one shadow ray per bounce, so no two threads add to
+// one place.
 // SPEC_OPTION chooses the traversal: CONNECT_*; all give the same answers. CONNECT_LEARN adds nothing: it
 // counts traced and arrived rays in FrameRecord::visibility_counts.
 #ifndef AJAR_CONNECT_GLSL_H

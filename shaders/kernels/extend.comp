@@ -9,7 +9,7 @@
 
 layout(push_constant, scalar) uniform ArgsBlock { ExtendArgs args; };
 
-uint first_slot; // of the segment
+uint first_slot; // of this workgroup's share of the segment
 
 BvhRay bvh_ray_of(uint i) {
     PathState path = path_load(first_slot + i);
@@ -22,13 +22,14 @@ void bvh_found(uint i, Hit hit, bool done) {
 }
 
 void main() {
-    uint segment = segment_index(args.segments);
+    SegmentShare share = segment_share(args.segments);
+    uint segment = share.segment;
     if (segment == NO_SEGMENT) return;
-    first_slot = segment * SEGMENT_SIZE;
+    first_slot = segment * SEGMENT_SIZE + share.first;
     uint count = segments[segment].paths;
-    uint unfinished = bvh_trace_all(count, OPTION == EXTEND_CAMERA, false);
+    uint unfinished = bvh_trace_all(segment_share_of(share, count), OPTION == EXTEND_CAMERA, false);
     if (unfinished > 0u) atomicAdd(segments[segment].loops_exhausted, unfinished);
-    if (gl_LocalInvocationID.x == 0u) {
+    if (gl_LocalInvocationID.x == 0u && share.first == 0u) {
         uint low = segments[segment].rays_traced[0];
         segments[segment].rays_traced[0] = low + count;
         segments[segment].rays_traced[1] += low + count < low ? 1u : 0u;

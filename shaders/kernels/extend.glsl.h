@@ -1,6 +1,7 @@
 // extend: where does each ray meet the scene? For all live paths of a segment.
 // Reads PathState origin, direction, leaves and instance, BIND_SEGMENTS;
-// writes PathState triangle, instance, u, v and SegmentCounts::rays_traced. One workgroup per segment.
+// writes PathState triangle, instance, u, v and SegmentCounts::rays_traced. TRACE_SHARES workgroups per
+// segment.
 // SPEC_OPTION chooses the traversal: EXTEND_*; all give the same hits.
 #ifndef AJAR_EXTEND_GLSL_H
 #define AJAR_EXTEND_GLSL_H

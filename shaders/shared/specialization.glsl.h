@@ -17,6 +17,7 @@ const uint SPEC_PATH_TEXELS = 7;
 // Groups of a traversal's stack that are in registers; 0: it is in memory
 const uint SPEC_STACK_REGISTERS = 8;
 const uint SPEC_HEURISTIC = 10; // HEURISTIC_*: how STRATEGY_MIS weighs its two samplings
+const uint SPEC_TRACE_SHARES = 11; // workgroups that share a segment in extend and connect; a power of two
 const uint SPEC_SAMPLER = 9;        // SAMPLER_*: where random numbers come from
 
 const uint FEATURE_INSTANCES = 1u << 0;       // two-level hierarchy

@@ -21,6 +21,7 @@ gpu::Specialization specialization(const gpu::Device& device, const TraceScene& 
             {SPEC_PATH_TEXELS, options.texel_buffers ? 1 : 0},
             {SPEC_FEATURES, features},
             {SPEC_STACK_REGISTERS, options.stack_in_memory ? 0 : bvh::stack_registers(bvh)},
+            {SPEC_TRACE_SHARES, options.trace_shares},
             {SPEC_OPTION, option}};
 }
 
@@ -75,6 +76,7 @@ std::vector<RigOptions> trace_variants(std::uint32_t RigOptions::*option,
             }
         }
     }
+    variants.push_back({.trace_shares = 4});
     variants.push_back({.segment_size = 64, .texel_buffers = false});
     variants.push_back({.segment_size = 1024, .workgroup_size = 64});
     return variants;
@@ -185,7 +187,7 @@ RigResult TraceRig::extend(std::span<const PathState> paths) {
     paths_.write(paths);
     gpu::Commands commands(device_);
     commands.bind(bindings_);
-    extend_.dispatch(commands, {args}, args.segment_count);
+    extend_.dispatch(commands, {args}, args.segment_count * options_.trace_shares);
     finish(commands, args, result);
     result.paths = paths_.read<PathState>(0, paths.size());
     return result;
@@ -204,7 +206,7 @@ RigResult TraceRig::connect(std::span<const ShadowRay> rays) {
     radiance_.clear();
     gpu::Commands commands(device_);
     commands.bind(bindings_);
-    connect_.dispatch(commands, {args}, args.segment_count);
+    connect_.dispatch(commands, {args}, args.segment_count * options_.trace_shares);
     finish(commands, args, result);
     for (const glm::vec4& sum : radiance_.read<glm::vec4>(0, own.size())) result.open.push_back(sum.z == 3);
     return result;

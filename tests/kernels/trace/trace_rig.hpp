@@ -28,6 +28,7 @@ struct TraceScene {
 struct RigOptions {
     std::uint32_t segment_size = 256;
     std::uint32_t workgroup_size = 0; // 0: the device's
+    std::uint32_t trace_shares = 1;
     bool texel_buffers = true;
     std::uint32_t extend_option = shared::EXTEND_BOUNCE;
     std::uint32_t connect_option = shared::CONNECT_APART;
