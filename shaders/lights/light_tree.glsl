@@ -13,6 +13,7 @@
 
 // Cosines below this count as this: light that just grazes is still light, and float cosines of bounds err.
 const float LIGHT_TREE_GRAZING = 2e-3;
+const float LIGHT_TREE_LEAST = 9.5367431640625e-7; // 2^-20: least share of a decision that is not none
 
 // cos(max(0, a - b)) from the sines and cosines of two angles in [0, pi].
 float light_tree_cos_within(float cos_a, float sin_a, float cos_b, float sin_b) {
@@ -84,7 +85,11 @@ LightTreeWay light_tree_descend(vec3 point, vec3 normal, uint cell, float u, uin
         }
         const float sum = left + right;
         // Where neither can bring anything any light will do: probabilities still sum to 1.
-        const float p_left = sum > 0.0 ? left / sum : 0.5;
+        // A side that can bring anything keeps a share that 24 digits can tell from none.
+        const float least = left > 0.0 ? LIGHT_TREE_LEAST : 0.0;
+        const float most = right > 0.0 ? 1.0 - LIGHT_TREE_LEAST : 1.0;
+        const float share = left / sum;
+        const float p_left = sum > 0.0 ? (share < least ? least : share > most ? most : share) : 0.5;
         const bool goes_right = follow ? ((trail >> depth) & 1u) != 0u : way.u >= p_left;
         const float p = goes_right ? 1.0 - p_left : p_left;
         way.pmf *= p;
