@@ -201,7 +201,7 @@ uint bvh_trace_packets(uint count) {
     for (uint turn = 0u; turn < turns; ++turn) {
         for (; first < count; first += WORKGROUP_SIZE) {
             uint i = first + gl_SubgroupInvocationID;
-            if (!halted) {
+            if (!has_feature(FEATURE_ALPHA) || !halted) {
                 ray = bvh_ray_of(min(i, count - 1u));
                 packet.walk = bvh_begin(ray);
                 own_key = packet.walk.box.key;
@@ -214,7 +214,7 @@ uint bvh_trace_packets(uint count) {
                 box_set_key(packet.walk.box, key);
                 float limit = packet.walk.hit.t;
                 packet.walk.hit.t = now ? limit : -1.0;
-                if (!halted) bvh_packet_start(packet);
+                if (!has_feature(FEATURE_ALPHA) || !halted) bvh_packet_start(packet);
                 bvh_walk_octant(ray, packet, spent);
                 halted = has_feature(FEATURE_ALPHA) && packet.halted && spent < BVH_BUDGET;
                 packet.walk.hit.t = now ? packet.walk.hit.t : limit;

@@ -123,8 +123,8 @@ uint bvh_trace_replacing(uint count, const bool any_hit) {
 
 // `together`: neighbouring rays are similar.
 uint bvh_trace_all(uint count, const bool together, const bool any_hit) {
-    if (together && bvh_packets_possible())
-        return any_hit ? bvh_trace_pairs(count) : bvh_trace_packets(count);
+    if (together && any_hit && bvh_pairs_possible()) return bvh_trace_pairs(count);
+    if (together && !any_hit && bvh_packets_possible()) return bvh_trace_packets(count);
     return bvh_trace_replacing(count, any_hit);
 }
 
