@@ -17,6 +17,17 @@ struct Scan {
 };
 
 #ifdef AJAR_SUBGROUP
+// STEP(1u), STEP(2u), STEP(4u) and so on below the subgroup's size: what a sum over it, or any other reduction,
+// takes. Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
+#define SCAN_STEPS(STEP)               \
+    if (WORKGROUP_SIZE > 1u) STEP(1u); \
+    if (WORKGROUP_SIZE > 2u) STEP(2u); \
+    if (WORKGROUP_SIZE > 4u) STEP(4u); \
+    if (WORKGROUP_SIZE > 8u) STEP(8u); \
+    if (WORKGROUP_SIZE > 16u) STEP(16u); \
+    if (WORKGROUP_SIZE > 32u) STEP(32u); \
+    if (WORKGROUP_SIZE > 64u) STEP(64u);
+
 uint scan_step(uint sum, uint lane, uint step) {
     uint other = subgroupShuffle(sum, (lane - step) & (WORKGROUP_SIZE - 1u));
     return sum + (lane >= step ? other : 0u);
@@ -37,14 +48,9 @@ Scan scan_keepers(bool keep) {
 #ifdef AJAR_SUBGROUP
     uint lane = gl_SubgroupInvocationID;
     uint sum = keep ? 1u : 0u;
-    // Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
-    if (WORKGROUP_SIZE > 1u) sum = scan_step(sum, lane, 1u);
-    if (WORKGROUP_SIZE > 2u) sum = scan_step(sum, lane, 2u);
-    if (WORKGROUP_SIZE > 4u) sum = scan_step(sum, lane, 4u);
-    if (WORKGROUP_SIZE > 8u) sum = scan_step(sum, lane, 8u);
-    if (WORKGROUP_SIZE > 16u) sum = scan_step(sum, lane, 16u);
-    if (WORKGROUP_SIZE > 32u) sum = scan_step(sum, lane, 32u);
-    if (WORKGROUP_SIZE > 64u) sum = scan_step(sum, lane, 64u);
+    #define SCAN_SUM(step) sum = scan_step(sum, lane, step)
+    SCAN_STEPS(SCAN_SUM)
+    #undef SCAN_SUM
     scan.before = sum - (keep ? 1u : 0u);
     scan.total = subgroupShuffle(sum, WORKGROUP_SIZE - 1u);
 #else

@@ -5,6 +5,7 @@
 #ifndef AJAR_BVH_PACKET_GLSL
 #define AJAR_BVH_PACKET_GLSL
 #include "bvh.glsl"
+#include "bvh_reduce.glsl"
 
 // Groups that wait: the i-th is in thread i % 8, register i / 8.
 #define BVH_PACKET_REGISTERS ((BVH_STACK + 7u) / 8u)
@@ -29,17 +30,6 @@ bool bvh_packet_moves(BvhPacket packet) {
 bool bvh_packets_possible() { return WORKGROUP_SIZE >= 8u && !has_feature(FEATURE_INSTANCES); }
 uint bvh_packet_registers() {
     return STACK_REGISTERS > 0u ? (STACK_REGISTERS + 7u) / 8u : BVH_PACKET_REGISTERS;
-}
-
-uint bvh_or(uint value) {
-    if (WORKGROUP_SIZE > 1u) value |= subgroupShuffleXor(value, 1u);
-    if (WORKGROUP_SIZE > 2u) value |= subgroupShuffleXor(value, 2u);
-    if (WORKGROUP_SIZE > 4u) value |= subgroupShuffleXor(value, 4u);
-    if (WORKGROUP_SIZE > 8u) value |= subgroupShuffleXor(value, 8u);
-    if (WORKGROUP_SIZE > 16u) value |= subgroupShuffleXor(value, 16u);
-    if (WORKGROUP_SIZE > 32u) value |= subgroupShuffleXor(value, 32u);
-    if (WORKGROUP_SIZE > 64u) value |= subgroupShuffleXor(value, 64u);
-    return value;
 }
 
 float bvh_float_from(uint word, uint thread) { return uintBitsToFloat(subgroupShuffle(word, thread)); }
@@ -139,19 +129,6 @@ void bvh_packet_triangle_step(BvhRay ray, inout BvhPacket packet, const bool any
     TriangleHit test = triangle_test(packet.walk.shear, x, y, z);
     bvh_accept(ray, packet.walk, triangle, subgroupShuffle(mine.w, 0u), test, any_hit);
     if (has_feature(FEATURE_ALPHA)) packet.halted = bvh_or(bvh_in_doubt(packet.walk) ? 1u : 0u) != 0u;
-}
-
-// The lowest thread that is `ready`, if any is.
-uint bvh_leader(bool ready) {
-    uint leader = ready ? gl_SubgroupInvocationID : WORKGROUP_SIZE - 1u;
-    if (WORKGROUP_SIZE > 1u) leader = min(leader, subgroupShuffleXor(leader, 1u));
-    if (WORKGROUP_SIZE > 2u) leader = min(leader, subgroupShuffleXor(leader, 2u));
-    if (WORKGROUP_SIZE > 4u) leader = min(leader, subgroupShuffleXor(leader, 4u));
-    if (WORKGROUP_SIZE > 8u) leader = min(leader, subgroupShuffleXor(leader, 8u));
-    if (WORKGROUP_SIZE > 16u) leader = min(leader, subgroupShuffleXor(leader, 16u));
-    if (WORKGROUP_SIZE > 32u) leader = min(leader, subgroupShuffleXor(leader, 32u));
-    if (WORKGROUP_SIZE > 64u) leader = min(leader, subgroupShuffleXor(leader, 64u));
-    return leader;
 }
 
 void bvh_packet_start(inout BvhPacket packet) {

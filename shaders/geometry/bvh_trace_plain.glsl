@@ -4,9 +4,9 @@
 #define AJAR_BVH_TRACE_PLAIN_GLSL
 
 // Steps per ray that keep all rays of an invocation together below that limit.
-uint bvh_step_limit() { 
+uint bvh_step_limit() {
     return clamp(60000u * WORKGROUP_SIZE * TRACE_SHARES / SEGMENT_SIZE, 64u, 16384u);
- }
+}
 
 // Walks until the ray is done or in doubt. Loops test at their end, as lavapipe runs a body once more, for
 // nobody, where a test at the head fails.

@@ -4,7 +4,7 @@
 // lavapipe runs a body once more, for nobody, where a test at the head fails.
 #ifndef AJAR_BVH_TRACE_SUBGROUP_GLSL
 #define AJAR_BVH_TRACE_SUBGROUP_GLSL
-#include "../core/scan.glsl"
+#include "bvh_reduce.glsl"
 
 // Below this the driver's own limit of 65,535 iterations per invocation is not reached (Mesa 22.3).
 const uint BVH_BUDGET = 60000u;
@@ -15,30 +15,6 @@ const uint BVH_NONE = 0xffffffffu;
 // As many rays as this halt before they look at what is in doubt. Measured on lavapipe: 2 of 8, of 1 to 4; a
 // few per cent lie between them.
 const uint BVH_DOUBTS = (WORKGROUP_SIZE + 3u) / 4u;
-
-uint bvh_count(bool flag) {
-    uint sum = flag ? 1u : 0u;
-    // Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
-    if (WORKGROUP_SIZE > 1u) sum += subgroupShuffleXor(sum, 1u);
-    if (WORKGROUP_SIZE > 2u) sum += subgroupShuffleXor(sum, 2u);
-    if (WORKGROUP_SIZE > 4u) sum += subgroupShuffleXor(sum, 4u);
-    if (WORKGROUP_SIZE > 8u) sum += subgroupShuffleXor(sum, 8u);
-    if (WORKGROUP_SIZE > 16u) sum += subgroupShuffleXor(sum, 16u);
-    if (WORKGROUP_SIZE > 32u) sum += subgroupShuffleXor(sum, 32u);
-    if (WORKGROUP_SIZE > 64u) sum += subgroupShuffleXor(sum, 64u);
-    return sum;
-}
-
-uint bvh_max(uint value) {
-    if (WORKGROUP_SIZE > 1u) value = max(value, subgroupShuffleXor(value, 1u));
-    if (WORKGROUP_SIZE > 2u) value = max(value, subgroupShuffleXor(value, 2u));
-    if (WORKGROUP_SIZE > 4u) value = max(value, subgroupShuffleXor(value, 4u));
-    if (WORKGROUP_SIZE > 8u) value = max(value, subgroupShuffleXor(value, 8u));
-    if (WORKGROUP_SIZE > 16u) value = max(value, subgroupShuffleXor(value, 16u));
-    if (WORKGROUP_SIZE > 32u) value = max(value, subgroupShuffleXor(value, 32u));
-    if (WORKGROUP_SIZE > 64u) value = max(value, subgroupShuffleXor(value, 64u));
-    return value;
-}
 
 bool bvh_moves(BvhWalk walk) { return bvh_going(walk) && !bvh_in_doubt(walk); }
 
