@@ -4,7 +4,6 @@
 #ifndef AJAR_PATHS_GLSL
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
-#include "../shared/light_visibility.glsl.h"
 #include "../shared/path.glsl.h"
 #include "variants.glsl"
 
@@ -59,7 +58,7 @@ ShadowRay shadow_ray_load(uint slot) {
     uint instance = 0u;
     if (has_feature(FEATURE_INSTANCES)) instance = shadow_ray_word(4u * slot + 3u).x;
     return ShadowRay(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), uintBitsToFloat(b.w),
-                     uintBitsToFloat(c.xyz), c.w, instance, NO_COUNTER, uint[2](0u, 0u));
+                     uintBitsToFloat(c.xyz), c.w, instance, 0u, uint[2](0u, 0u));
 }
 
 void shadow_ray_store(uint slot, ShadowRay ray) {

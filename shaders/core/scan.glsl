@@ -17,8 +17,8 @@ struct Scan {
 };
 
 #ifdef AJAR_SUBGROUP
-// STEP(1u), STEP(2u), STEP(4u) and so on below the subgroup's size: what a sum over it, or any other reduction,
-// takes. Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
+// STEP(1u), STEP(2u), STEP(4u) and so on below the subgroup's size: what a sum over it, or any other
+// reduction, takes. Written out, as Mesa 22.3 does not unroll a loop that shifts its counter.
 #define SCAN_STEPS(STEP)               \
     if (WORKGROUP_SIZE > 1u) STEP(1u); \
     if (WORKGROUP_SIZE > 2u) STEP(2u); \

@@ -16,7 +16,7 @@ layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
 LightPick pick_light(Vertex v, float u) {
     if (OPTION == SHADE_LIGHT) return LightPick(args.light, 1.0, u, 0.0);
-    return light_sampler_pick(v.surface.departure, sampler_normal(v.surface.ng), u);
+    return light_sampler_pick(v.surface.departure, light_sampler_normal(v.surface.ng), u);
 }
 
 // A shadow ray to one light. False when nothing can come of it.
@@ -39,8 +39,9 @@ bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out
     ray.home = path.home;
     ray.instance = path.instance;
     if (OPTION == SHADE_LEARN)
-        ray.counter = visibility_counter(visibility_cell(v.surface.departure, sampler_normal(v.surface.ng)),
-                                         light_tree_trail(pick.light));
+        ray.counter = visibility_counter(
+            visibility_cell(v.surface.departure, light_sampler_normal(v.surface.ng)),
+            light_tree_trail(pick.light));
     return above && any(greaterThan(ray.contribution, vec3(0.0)));
 }
 

@@ -22,4 +22,22 @@ float light_pick_rest(LightPick pick, float digits) {
     return min(pick.u + pick.step * digits, LIGHT_PICK_BELOW_ONE);
 }
 
+// By the alias method (Walker 1977; Vose 1991): from a table of `slots` AliasEntries, a power of two, that
+// begins at texel `first`. Slot and remainder of u are exact. The probability is for the caller to state.
+LightPick light_pick_by_alias(uint first, uint slots, float u) {
+    const float scaled = u * float(slots);
+    const float slot = floor(scaled);
+    const float rest = scaled - slot;
+    const uvec4 entry = fetch_light(first + uint(int(slot)));
+    const float keep = uintBitsToFloat(entry.x);
+    const bool kept = rest < keep;
+    const float mass = kept ? keep : 1.0 - keep;
+    LightPick pick;
+    pick.light = kept ? entry.z : entry.y;
+    pick.pmf = 0.0;
+    pick.u = min((kept ? rest : rest - keep) / mass, LIGHT_PICK_BELOW_ONE);
+    pick.step = LIGHT_PICK_STEP * float(slots) / mass;
+    return pick;
+}
+
 #endif

@@ -9,6 +9,11 @@
 // Whether it does look: then the normal must reach pmf as it reached pick, to the last bit.
 const bool LIGHT_SAMPLER_LOOKS = LIGHT_SAMPLER == LIGHT_SAMPLER_TREE || LIGHT_SAMPLER_LEARNS;
 
+// A vertex's normal as light samplers see it, there and when its path meets a light: as it is kept till then.
+vec3 light_sampler_normal(vec3 ng) {
+    return LIGHT_SAMPLER_LOOKS ? octahedral_decode(octahedral_encode(ng)) : ng;
+}
+
 LightPick light_sampler_pick(vec3 point, vec3 normal, float u) {
     if (!has_feature(FEATURE_ANY_LIGHT)) return LightPick(0u, 0.0, u, 0.0); // the tables are empty
     if (LIGHT_SAMPLER == LIGHT_SAMPLER_UNIFORM) return sampler_uniform_pick(u);

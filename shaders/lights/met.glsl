@@ -10,9 +10,6 @@
 #include "mis.glsl"
 #include "soft.glsl"
 
-// The normal at a vertex as light samplers see it, there and when its path meets a light.
-vec3 sampler_normal(vec3 ng) { return LIGHT_SAMPLER_LOOKS ? octahedral_decode(octahedral_encode(ng)) : ng; }
-
 // That of the vertex that the path left last. To be read before the next one's takes its place.
 vec3 met_normal(PathState path) {
     return LIGHT_SAMPLER_LOOKS ? octahedral_decode(path_normal_load(path.home)) : vec3(0.0);

@@ -33,20 +33,9 @@ float sampler_tree_distant_pmf(uint light) {
     return distant ? uintBitsToFloat(fetch_light(light * LIGHT_TEXELS + 2u).x) : 0.0;
 }
 
-// By the alias method, as sampler_power.glsl.
 LightPick sampler_tree_pick_distant(float u) {
-    const float scaled = u * float(frame.distant_slots);
-    const float slot = min(floor(scaled), float(max(frame.distant_slots, 1u) - 1u));
-    const float rest = scaled - slot;
-    const uvec4 entry = fetch_light(frame.distant_first + uint(int(slot)));
-    const float keep = uintBitsToFloat(entry.x);
-    const bool kept = rest < keep;
-    LightPick pick;
-    pick.light = kept ? entry.z : entry.y;
+    LightPick pick = light_pick_by_alias(frame.distant_first, frame.distant_slots, u);
     pick.pmf = sampler_tree_distant_pmf(pick.light);
-    const float mass = kept ? keep : 1.0 - keep;
-    pick.u = min((kept ? rest : rest - keep) / mass, LIGHT_PICK_BELOW_ONE);
-    pick.step = LIGHT_PICK_STEP * float(frame.distant_slots) / mass;
     return pick;
 }
 
@@ -81,9 +70,7 @@ float sampler_tree_pmf(vec3 point, vec3 normal, uint light) {
     float pmf = 0.0;
     if (trail != NO_TRAIL)
         pmf = (1.0 - share) * light_tree_descend(point, normal, cell, 0.0, trail, true).pmf;
-    if (has_feature(FEATURE_DISTANT_LIGHTS)) {
-        pmf += share * sampler_tree_distant_pmf(light);
-    }
+    if (has_feature(FEATURE_DISTANT_LIGHTS)) pmf += share * sampler_tree_distant_pmf(light);
     return pmf;
 }
 

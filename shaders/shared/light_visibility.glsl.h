@@ -10,7 +10,6 @@ const uint VISIBILITY_CELLS = 1u << 14; // cells share a place when their hashes
 const uint VISIBILITY_LEVELS = 9;       // decisions of the tree that are learned about
 const uint VISIBILITY_CLUSTERS = 1u << VISIBILITY_LEVELS; // nodes at the end of those
 const uint VISIBILITY_COUNTERS = VISIBILITY_CLUSTERS + 1u; // of a cell; the last one: distant lights
-const uint NO_COUNTER = 0xffffffffu;
 
 // Index cell * VISIBILITY_COUNTERS + cluster.
 struct VisibilityCount {
