@@ -1,10 +1,10 @@
 // The three steps of a build, for triangles and for placed meshes.
 #include "bvh/bvh.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "bvh/encode.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -74,10 +74,6 @@ Box place(const shared::BvhNode& root, const glm::vec4 (&to_world)[3]) {
     return placed;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 // Appends a hierarchy's nodes with its indices made global.
 std::uint32_t append(SceneBvh& scene, const Bvh& bvh, std::uint32_t first_triangle) {
     const std::size_t base = scene.nodes.size();
@@ -108,7 +104,7 @@ shared::TriangleRecord make_record(const Triangle& triangle, std::uint32_t flags
 }
 
 Bvh build_bvh(std::span<const Triangle> triangles, const BuildOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     if (triangles.size() > MAX_ITEMS)
         throw Error(fmt::format("scene: hierarchy: {} triangles, but at most {} are possible (use fewer)",
                                 triangles.size(), MAX_ITEMS));
@@ -119,7 +115,7 @@ Bvh build_bvh(std::span<const Triangle> triangles, const BuildOptions& options) 
 
 SceneBvh build_scene_bvh(std::span<const std::span<const Triangle>> meshes,
                          std::span<const Placement> placements, const BuildOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     SceneBvh scene;
     std::uint32_t mesh_depth = 0;
     for (std::size_t m = 0; m < meshes.size(); ++m) {

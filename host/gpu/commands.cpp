@@ -1,5 +1,6 @@
 // Recording, submitting and timing. After every dispatch stands one barrier for everything: the stages of a
 // path tracer depend on each other, so finer ones gain nothing.
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "gpu/device_impl.hpp"
 
@@ -7,7 +8,6 @@
 
 #include <array>
 #include <cassert>
-#include <chrono>
 
 namespace ajar::gpu {
 namespace {
@@ -152,14 +152,14 @@ void Commands::bind(const Bindings& bindings) {
 
 double Commands::submit() {
     if (impl_->labels.empty()) return 0;
-    const auto begin = std::chrono::steady_clock::now();
+    const Clock::time_point begin = Clock::now();
     try {
         impl_->submitter.run("running " + impl_->labels.front() + " to " + impl_->labels.back());
     } catch (const Error&) {
         reset();
         throw;
     }
-    double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    double seconds = seconds_since(begin);
     for (const std::string& label : impl_->labels) ++impl_->profile[label].dispatches;
     if (impl_->stamp_count > 0) seconds = impl_->collect();
     reset();

@@ -17,13 +17,15 @@ namespace {
 // (shaders/lights).
 constexpr double WIDE_AREA = 1.0 / 16;
 
-bool are_wide(std::span<const EmissiveTriangle> triangles, float scene_radius) {
+// `powers` begin with the triangles'.
+bool are_wide(std::span<const EmissiveTriangle> triangles, std::span<const double> powers,
+              float scene_radius) {
     double area_power = 0;
     double power = 0;
-    for (const EmissiveTriangle& t : triangles) {
-        if (!(light_power(t) > 0)) continue;
-        area_power += light_power(t) * t.area;
-        power += light_power(t);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (!(powers[i] > 0)) continue;
+        area_power += powers[i] * triangles[i].area;
+        power += powers[i];
     }
     return area_power > WIDE_AREA * scene_radius * scene_radius * power;
 }
@@ -60,7 +62,7 @@ class Builder {
     LightTable build(std::span<const EmissiveTriangle> triangles, std::span<const EmissiveSphere> spheres) {
         for (const EmissiveTriangle& t : triangles)
             add(triangle_record(t), light_power(t), shared::FEATURE_EMISSIVE_TRIANGLES, light_bounds(t));
-        if (are_wide(triangles, radius_)) table_.features |= shared::FEATURE_WIDE_TRIANGLES;
+        if (are_wide(triangles, table_.powers, radius_)) table_.features |= shared::FEATURE_WIDE_TRIANGLES;
         for (const Light& light : scene_.lights)
             if (!is_soft(light)) add(light, shared::FEATURE_PUNCTUAL_LIGHTS);
         add_soft_lights(spheres);

@@ -1,12 +1,12 @@
 #include "render/light_tree.hpp"
 
+#include "base/clock.hpp"
 #include "base/error.hpp"
 #include "render/octahedral.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -236,7 +236,7 @@ LightBounds merge(const LightBounds& a, const LightBounds& b) {
 }
 
 LightTree build_light_tree(std::span<const LightBounds> lights) {
-    const auto start = std::chrono::steady_clock::now();
+    const Clock::time_point start = Clock::now();
     if (lights.size() > MAX_LIGHTS)
         throw Error(fmt::format("lights: {} of them: at most {} are possible (merge some)", lights.size(),
                                 MAX_LIGHTS));
@@ -246,7 +246,7 @@ LightTree build_light_tree(std::span<const LightBounds> lights) {
     for (std::uint32_t i = 0; i < lights.size(); ++i)
         if (lights[i].intensity > 0) items.push_back({lights[i], i});
     if (!items.empty()) Builder(std::move(items), tree).build();
-    tree.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    tree.seconds = seconds_since(start);
     return tree;
 }
 

@@ -1,13 +1,13 @@
 // ajar lab: renders the ladder of methods on one scene, each case against one reference, and writes what it
 // found into a folder.
 #include "ajar/ajar.hpp"
+#include "base/clock.hpp"
 #include "base/file.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/lab/pictures.hpp"
 #include "cli/rendering.hpp"
 
-#include <chrono>
 #include <fmt/format.h>
 #include <memory>
 
@@ -59,8 +59,7 @@ class Timeline {
         weight_ = weight;
         return [this, label = std::move(label)](double share) {
             if (interrupts_.requested()) return false;
-            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
-            display_.overall(label, (before_ + share * weight_) / total_, seconds.count());
+            display_.overall(label, (before_ + share * weight_) / total_, seconds_since(start_));
             return true;
         };
     }
@@ -70,7 +69,7 @@ class Timeline {
     const Interrupts& interrupts_;
     double total_;
     double before_ = 0, weight_ = 0;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Clock::time_point start_ = Clock::now();
 };
 
 void write_results(const LabOptions& o, const LabPlan& plan, const LabResults& results,

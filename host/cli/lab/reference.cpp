@@ -26,17 +26,17 @@ std::string key_of(const RenderResult& one_sample) {
     return content_hash(std::as_bytes(std::span(all.data(), all.size())));
 }
 
-template <class T> T metadata_number(const Image& image, const char* name) {
-    T value{};
-    for (const auto& [key, text] : image.metadata)
-        if (key == name) std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
-
 std::string metadata_text(const Image& image, const char* name) {
     for (const auto& [key, text] : image.metadata)
         if (key == name) return text;
     return {};
+}
+
+template <class T> T metadata_number(const Image& image, const char* name) {
+    const std::string text = metadata_text(image, name);
+    T value{};
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
 }
 
 // Empty where there is none of this key.

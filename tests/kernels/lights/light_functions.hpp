@@ -3,9 +3,11 @@
 #pragma once
 
 #include "bvh/bvh.hpp"
+#include "render/choices.hpp"
 #include "render/environment_table.hpp"
 #include "render/light_table.hpp"
 #include "render/material_table.hpp"
+#include "render/render.hpp"
 #include "shaders/light_functions.glsl.h"
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/frame.glsl.h"
@@ -43,6 +45,13 @@ struct Lighting {
     std::vector<EmissiveSphere> spheres;
     LightTable table() const { return build_light_table(scene, triangles, scene_radius, spheres); }
 };
+
+// Every row of the table that --light-sampler accepts.
+inline std::vector<std::uint32_t> all_light_samplers() {
+    std::vector<std::uint32_t> constants;
+    for (const Choice& row : light_samplers()) constants.push_back(find_light_sampler(row.name));
+    return constants;
+}
 
 class LightFunctions : public GpuTest {
   protected:

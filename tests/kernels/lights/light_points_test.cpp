@@ -1,8 +1,6 @@
 // Light samplers at many points among lights of every kind: probabilities sum to 1, are those of picking, and
 // reach every light that can light the point.
 #include "light_functions.hpp"
-#include "render/choices.hpp"
-#include "render/render.hpp"
 #include "support/statistics.hpp"
 
 #include <algorithm>
@@ -86,12 +84,7 @@ class LightsAroundPoints : public LightFunctions, public testing::WithParamInter
     }
 };
 
-std::vector<std::uint32_t> all_samplers() {
-    std::vector<std::uint32_t> constants;
-    for (const Choice& row : light_samplers()) constants.push_back(find_light_sampler(row.name));
-    return constants;
-}
-INSTANTIATE_TEST_SUITE_P(All, LightsAroundPoints, testing::ValuesIn(all_samplers()),
+INSTANTIATE_TEST_SUITE_P(All, LightsAroundPoints, testing::ValuesIn(all_light_samplers()),
                          [](const auto& row) { return light_samplers()[row.index].name; });
 
 TEST_P(LightsAroundPoints, HaveProbabilitiesThatSumToOne) {

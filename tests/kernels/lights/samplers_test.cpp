@@ -1,7 +1,5 @@
 // Which light gets picked: stated probabilities against counts.
 #include "light_functions.hpp"
-#include "render/choices.hpp"
-#include "render/render.hpp"
 #include "support/statistics.hpp"
 
 #include <cmath>
@@ -65,13 +63,7 @@ class LightSamplers : public LightFunctions, public testing::WithParamInterface<
     }
 };
 
-// Every row of the table that --light-sampler accepts.
-std::vector<std::uint32_t> all_samplers() {
-    std::vector<std::uint32_t> constants;
-    for (const Choice& row : light_samplers()) constants.push_back(find_light_sampler(row.name));
-    return constants;
-}
-INSTANTIATE_TEST_SUITE_P(All, LightSamplers, testing::ValuesIn(all_samplers()),
+INSTANTIATE_TEST_SUITE_P(All, LightSamplers, testing::ValuesIn(all_light_samplers()),
                          [](const auto& row) { return light_samplers()[row.index].name; });
 
 TEST_P(LightSamplers, PickLightsAsOftenAsTheySay) {
