@@ -213,6 +213,7 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     stats.triangles = gpu_scene_.triangle_count();
     stats.lights = gpu_scene_.frame().light_count;
     stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();
+    if (visibility_ != nullptr) stats.device_bytes += visibility_->device_bytes();
     stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
     stats.extension_rays = totals.extension_rays;
     stats.shadow_rays = totals.shadow_rays;
