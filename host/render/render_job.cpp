@@ -108,6 +108,7 @@ void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) 
     frame.pixel_order.address = film_.pixel_order().address();
     frame.aovs.address = film_.aovs() ? film_.aovs().address() : 0;
     frame.diagnostics.address = diagnostics_.address();
+    frame.pool_paths = pool_.paths();
     frame.seed = seed;
     frame.max_bounces = settings_.max_bounces;
     frame.rr_depth = settings_.rr_depth;
