@@ -20,6 +20,7 @@
 #include "shaders/shared/light.glsl.h"
 #include "shaders/shared/light_tree.glsl.h"
 #include "shaders/shared/material.glsl.h"
+#include "shaders/shared/patch.glsl.h"
 #include "shaders/shared/path.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
 
@@ -101,6 +102,7 @@ const Field FIELDS[] = {
     F(MaterialRecord, normal_texture), F(MaterialRecord, emission_texture),
     F(TextureRecord, first_texel), F(TextureRecord, width), F(TextureRecord, height), F(TextureRecord, flags),
     F(TextureRecord, uv_row_u), F(TextureRecord, pad0), F(TextureRecord, uv_row_v), F(TextureRecord, pad1),
+    F(PatchNode, child), F(PatchNode, edge), F(PatchNode, pad),
     F(PathState, origin), F(PathState, home), F(PathState, direction), F(PathState, leaves),
     F(PathState, beta), F(PathState, pdf), F(PathState, triangle), F(PathState, instance),
     F(PathState, u), F(PathState, v),

@@ -11,6 +11,7 @@
 #include "shared/light.glsl.h"
 #include "shared/light_tree.glsl.h"
 #include "shared/material.glsl.h"
+#include "shared/patch.glsl.h"
 #include "shared/path.glsl.h"
 #include "kernels/accumulate.glsl.h"
 #include "kernels/albedo.glsl.h"
@@ -42,6 +43,7 @@ MENTION(LightTreeNode)
 MENTION(VisibilityCount)
 MENTION(MaterialRecord)
 MENTION(TextureRecord)
+MENTION(PatchNode)
 MENTION(PathState)
 MENTION(ShadowRay)
 MENTION(SegmentCounts)
@@ -64,7 +66,7 @@ void main() {
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
         USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode) USE(VisibilityCount)
         USE(MaterialRecord) USE(TextureRecord)
-        USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
+        USE(PatchNode) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
         USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
     block_Texel.at[0].rgba8 = uint(total);
