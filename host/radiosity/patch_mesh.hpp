@@ -1,5 +1,5 @@
-// The scene's surfaces as patches: every triangle in world space, divided by bisection of longest edges (Rivara
-// 1984, "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques").
+// The scene's surfaces as patches: every triangle in world space, divided by bisection of longest edges
+// (Rivara 1984, "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques").
 // The mesh is conforming: where triangles share an edge they are divided alike, so that values at vertices
 // join without cracks. A patch has two sides, see shared/patch.glsl.h.
 #pragma once

@@ -8,8 +8,8 @@ DUAL_BEGIN
 // A triangle of a tree of bisections whose leaves are the patches. Of the split edge's ends p (vertex `edge`)
 // and q (the next vertex) and their middle m, the first child has m in the place of q, the second m in the
 // place of p; the other vertices keep their places, so that the orientation is kept too. A point of
-// barycentrics b lies in the first child where b_p >= b_q, with b_p - b_q in the place of b_p and 2 b_q in that
-// of b_q; in the second with p and q exchanged.
+// barycentrics b lies in the first child where b_p >= b_q, with b_p - b_q in the place of b_p and 2 b_q in
+// that of b_q; in the second with p and q exchanged.
 struct PatchNode {
     uint child; // index of the first child, the second follows it; a leaf's: index of its patch | PATCH_LEAF
     uint edge;  // 0, 1, 2: which is split; a leaf's: 0
