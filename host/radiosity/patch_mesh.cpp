@@ -91,6 +91,13 @@ std::vector<std::uint32_t> PatchMesh::refine(std::span<const std::uint8_t> marke
     return splitter.finish();
 }
 
+std::vector<TriangleSource> PatchMesh::triangles() const {
+    std::vector<TriangleSource> all;
+    all.reserve(sources.size());
+    for (const PatchSource& source : sources) all.push_back({source.instance, source.triangle});
+    return all;
+}
+
 PatchPoint PatchMesh::find(std::uint32_t source, float u, float v) const {
     float b[3] = {1 - u - v, u, v};
     const PatchNode* node = &nodes[sources[source].root];

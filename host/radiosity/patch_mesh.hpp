@@ -4,6 +4,7 @@
 // join without cracks. A patch has two sides, see shared/patch.glsl.h.
 #pragma once
 
+#include "render/geometry_table.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/patch.glsl.h"
 
@@ -27,7 +28,7 @@ struct PatchSource {
     std::uint32_t instance = 0; // Scene::instances
     std::uint32_t triangle = 0; // of its mesh
     std::uint32_t material = 0; // Scene::materials
-    std::uint32_t root = 0;     // PatchMesh::nodes
+    std::uint32_t root = 0;     // PatchMesh::nodes: its own index in PatchMesh::sources
 };
 
 // At least one of the two; with both, both hold.
@@ -58,6 +59,9 @@ struct PatchMesh {
 
     // As radiosity/patch_lookup.glsl finds it.
     PatchPoint find(std::uint32_t source, float u, float v) const;
+
+    // The sources, as PatchTable wants them.
+    std::vector<TriangleSource> triangles() const;
 
     // The source's vertices in its mesh, counter-clockwise in the world as its front sees them: a mirrored
     // instance exchanges the 2nd and 3rd, as on the device.

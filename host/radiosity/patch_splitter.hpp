@@ -2,7 +2,7 @@
 //
 // Edges are split from the longest of those that are wanted. Where it is the longest of each patch that
 // shares it, all of them are split at once; where it is not, that patch's longest edge is wanted first. If
-// every edge is wanted, the longest is always the longest of all its patches, and nothing has to be put first.
+// every edge is wanted, the longest is always the longest of all its patches: nothing has to be put first.
 #pragma once
 
 #include "radiosity/patch_mesh.hpp"

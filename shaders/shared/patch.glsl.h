@@ -1,5 +1,6 @@
-// BIND_PATCHES: how scene triangles are divided into radiosity's patches. Made by host/radiosity/patch_mesh,
-// read by radiosity/patch_lookup.glsl.
+// BIND_PATCHES: how scene triangles are divided into patches, and what radiosity found for them: the root
+// of each triangle's tree (a word each, in leaf order), the trees' nodes, the patches' sides. Divided by
+// host/radiosity/patch_mesh, uploaded by host/render/patch_table, read by radiosity/*.glsl.
 #ifndef AJAR_PATCH_GLSL_H
 #define AJAR_PATCH_GLSL_H
 #include "dual.glsl.h"
@@ -25,6 +26,15 @@ const uint MAX_PATCHES = 1u << 24;
 // A patch has two sides, whose numbers index all that is solved for.
 const uint PATCH_FRONT = 0; // side = 2 * patch + PATCH_FRONT
 const uint PATCH_BACK = 1;
+
+// What pictures are made of: three texels.
+struct PatchSide {
+    vec3 radiance;      // W/(m^2 sr): constant over the patch; what it reflects and what it emits
+    vec3 irradiance[3]; // W/m^2: of all light that arrives, at its corners; linear between them
+};
+DUAL_SIZE(PatchSide, 48);
+
+const uint PATCH_SIDE_TEXELS = 3;
 
 DUAL_END
 #endif
