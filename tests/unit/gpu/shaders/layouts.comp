@@ -67,7 +67,8 @@ void main() {
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
         USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode) USE(VisibilityCount)
         USE(MaterialRecord) USE(TextureRecord)
-        USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
+        USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs)
+        USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
         USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
     block_Texel.at[0].rgba8 = uint(total);
