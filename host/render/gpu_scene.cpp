@@ -65,7 +65,7 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     geometry_options.extended_surfaces = wants_extended_surfaces(scene, host.materials.uses_uv1);
     geometry_options.bake_below_triangles = options.bake_below_triangles;
     host.geometry = build_geometry_table(scene, geometry_options);
-    triangle_count_ = host.geometry.triangles.size();
+    triangle_sources_ = host.geometry.sources;
     bvh_seconds_ = host.geometry.bvh.stats.seconds;
     if (host.geometry.instances.size() > 1) features_ |= FEATURE_INSTANCES;
     stack_registers_ = bvh::stack_registers(host.geometry.bvh);

@@ -4,11 +4,14 @@
 #include "base/events.hpp"
 #include "gpu/commands.hpp"
 #include "image/image.hpp"
+#include "render/geometry_table.hpp"
 #include "render/settings.hpp"
 #include "scene/scene.hpp"
+#include "shaders/shared/patch.glsl.h"
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ajar {
 
@@ -25,6 +28,7 @@ std::span<const Choice> light_ray_choices();
 std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();
 std::span<const Choice> triangle_samplings();
+std::span<const Choice> shadings();
 std::span<const Choice> pixel_filters();
 
 struct RenderStats {
@@ -59,6 +63,13 @@ struct RenderOutput {
     RenderStats stats;
 };
 
+// The scene's surfaces as patches and what they look like, for integrator radiosity (shared/patch.glsl.h).
+struct PatchPicture {
+    std::vector<TriangleSource> divided;  // the triangles that have patches, by instance and triangle
+    std::vector<shared::PatchNode> nodes; // the roots of their trees first, in that order
+    std::vector<shared::PatchSide> sides; // two for each patch
+};
+
 // A scene on a device, ready to be rendered with any settings.
 class Renderer {
   public:
@@ -71,6 +82,9 @@ class Renderer {
     // progress: stage "render", in samples per pixel; return false to stop. Throws Error (unknown names,
     // device lost).
     RenderOutput render(const RenderSettings& settings, const ProgressSink& progress = {});
+
+    // What integrator radiosity shows from now on.
+    void show(PatchPicture patches);
 
   private:
     struct Impl;

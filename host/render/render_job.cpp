@@ -38,15 +38,15 @@ std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels)
 } // namespace
 
 RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
-                     const RenderSettings& settings, LearnedVisibility* visibility)
+                     const RenderSettings& settings, LearnedVisibility* visibility, const PatchTable* patches)
     : device_(device), settings_(resolved(settings, gpu_scene)), camera_(choose_camera(scene, settings)),
       film_(device, settings.width, settings.height, settings.aovs),
       pool_(device, settings,
             std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
       bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
-      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
-      visibility_(visibility), context_{device, settings_, specialization(), gpu_scene.suits_shadow_packets(),
-                                        gpu_scene.frame().light_count},
+      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene), visibility_(visibility),
+      patches_(patches), context_{device, settings_, specialization(), gpu_scene.suits_shadow_packets(),
+                                  gpu_scene.frame().light_count},
       generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
       accumulate_(device, "accumulate", context_.specialization),
       integrator_(find_integrator(settings.integrator).make(context_)), steps_(trace_shares()) {
@@ -57,6 +57,7 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
     pool_.bind(bindings_);
     gpu_scene.bind(bindings_);
     if (visibility_ != nullptr) visibility_->bind(bindings_);
+    if (patches_ != nullptr) patches_->bind(bindings_);
     write_frame(settings_.seed, settings_.sequence_samples);
     bindings_.uniform(frame_buffer_);
 }
@@ -65,7 +66,8 @@ gpu::Specialization RenderJob::specialization() const {
     std::uint32_t features = gpu_scene_.features();
     features = choose_triangle_sampling(settings_.triangle_sampling, features);
     if (camera_.kind == CameraKind::orthographic) features |= FEATURE_ORTHOGRAPHIC;
-    const bool fits = visibility_ == nullptr || visibility_->fits_texel_buffer(device_);
+    const bool fits = (visibility_ == nullptr || visibility_->fits_texel_buffer(device_)) &&
+                      (patches_ == nullptr || patches_->fits_texel_buffer(device_));
     const bool texels = gpu_scene_.texel_buffers() != 0 && fits && !device_.options().force_pointers;
     return {{SPEC_WORKGROUP_SIZE, device_.workgroup_size()},
             {SPEC_SEGMENT_SIZE, pool_.segment_paths()},
@@ -116,6 +118,7 @@ void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) 
     frame.ao_distance = settings_.ao_distance;
     frame.sample_clamp = settings_.clamp > 0 ? settings_.clamp : std::numeric_limits<float>::max();
     if (visibility_ != nullptr) visibility_->describe(frame);
+    if (patches_ != nullptr) patches_->describe(frame);
     frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
 }
 
@@ -214,6 +217,7 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     stats.lights = gpu_scene_.frame().light_count;
     stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();
     if (visibility_ != nullptr) stats.device_bytes += visibility_->device_bytes();
+    if (patches_ != nullptr) stats.device_bytes += patches_->device_bytes();
     stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
     stats.extension_rays = totals.extension_rays;
     stats.shadow_rays = totals.shadow_rays;

@@ -7,6 +7,7 @@
 #include "render/integrator.hpp"
 #include "render/learned_visibility.hpp"
 #include "render/pass_runner.hpp"
+#include "render/patch_table.hpp"
 #include "render/path_pool.hpp"
 #include "shaders/kernels/accumulate.glsl.h"
 #include "shaders/kernels/aov.glsl.h"
@@ -18,9 +19,10 @@ namespace ajar {
 
 class RenderJob {
   public:
-    // `visibility`: for a light sampler that needs it, learned first if it is not yet.
+    // `visibility`: for a light sampler that needs it, learned first if it is not yet. `patches`: for an
+    // integrator that shows them.
     RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
-              const RenderSettings& settings, LearnedVisibility* visibility);
+              const RenderSettings& settings, LearnedVisibility* visibility, const PatchTable* patches);
 
     RenderOutput run(const ProgressSink& progress);
 
@@ -49,6 +51,7 @@ class RenderJob {
     gpu::Buffer frame_buffer_;
     const GpuScene& gpu_scene_;
     LearnedVisibility* visibility_; // none: the light sampler needs none
+    const PatchTable* patches_;     // none: the integrator shows none
     IntegratorContext context_;
     gpu::Kernel<shared::GenerateArgs> generate_;
     gpu::Kernel<shared::AccumulateArgs> accumulate_;

@@ -13,6 +13,7 @@
 #include "shaders/kernels/naive.glsl.h"
 #include "shaders/kernels/normals.glsl.h"
 #include "shaders/kernels/shade.glsl.h"
+#include "shaders/kernels/show_patches.glsl.h"
 #include "shaders/shared/bvh.glsl.h"
 #include "shaders/shared/film.glsl.h"
 #include "shaders/shared/frame.glsl.h"
@@ -126,6 +127,7 @@ const Field FIELDS[] = {
     F(GenerateArgs, segments),
     F(NaiveArgs, segments),
     F(NormalsArgs, segments),
+    F(ShowPatchesArgs, segments),
     F(ShadeArgs, segments), F(ShadeArgs, light),
 };
 // clang-format on

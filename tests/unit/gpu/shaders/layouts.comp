@@ -23,6 +23,7 @@
 #include "kernels/naive.glsl.h"
 #include "kernels/normals.glsl.h"
 #include "kernels/shade.glsl.h"
+#include "kernels/show_patches.glsl.h"
 
 #define MENTION(T) layout(set = 0, binding = BIND_PATHS, scalar) buffer Block##T { T at[]; } block_##T;
 MENTION(BvhNode)
@@ -59,6 +60,7 @@ MENTION(GenerateArgs)
 MENTION(NaiveArgs)
 MENTION(NormalsArgs)
 MENTION(ShadeArgs)
+MENTION(ShowPatchesArgs)
 
 #define USE(T) +block_##T.at.length()
 
@@ -70,6 +72,6 @@ void main() {
         USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs)
         USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
-        USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
+        USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs) USE(ShowPatchesArgs);
     block_Texel.at[0].rgba8 = uint(total);
 }
