@@ -66,8 +66,7 @@ void check_count(const PatchMesh& mesh, const PatchOptions& options) {
 glm::uvec3 PatchMesh::mesh_triangle(const Scene& scene, const PatchSource& source) {
     const Instance& instance = scene.instances[source.instance];
     const glm::uvec3 t = scene.meshes[instance.mesh].triangles[source.triangle];
-    const bool mirrored = glm::determinant(glm::mat3(instance.to_world)) < 0;
-    return mirrored ? glm::uvec3(t.x, t.z, t.y) : t;
+    return mirrors(instance.to_world) ? glm::uvec3(t.x, t.z, t.y) : t;
 }
 
 PatchMesh PatchMesh::subdivide(const Scene& scene, const PatchOptions& options) {

@@ -4,7 +4,7 @@
 // join without cracks. A patch has two sides, see shared/patch.glsl.h.
 #pragma once
 
-#include "render/geometry_table.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/patch.glsl.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/bindings.hpp"
-#include "render/geometry_table.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/frame.glsl.h"

@@ -4,7 +4,7 @@
 //   SHOW_SMOOTH  beta (Le w + rho / pi E), E linear between the patch's corners, Le and rho of the very point
 // After the camera rays' extend this is a picture of the solution; after shade, connect and another extend
 // the end of a final gather, E[ f |cos| / pdf L ] over what BSDF samples meet. w is then shade's weight of
-// emission that BSDF sampling met; seen by the camera, 1. rho(wo) is the weight of one BSDF sample, whose mean
+// emission that BSDF sampling met; seen by the camera, 1. rho(wo) is one BSDF sample's weight, whose mean
 // it is: without noise where surfaces are Lambertian.
 // Reads BIND_PATHS, BIND_PATCHES; adds to BIND_RADIANCE. One workgroup per segment.
 #ifndef AJAR_SHOW_PATCHES_GLSL_H

@@ -22,6 +22,7 @@
 #include "kernels/generate.glsl.h"
 #include "kernels/naive.glsl.h"
 #include "kernels/normals.glsl.h"
+#include "kernels/place.glsl.h"
 #include "kernels/shade.glsl.h"
 #include "kernels/show_patches.glsl.h"
 
@@ -49,6 +50,7 @@ MENTION(PatchSide)
 MENTION(PathState)
 MENTION(ShadowRay)
 MENTION(SegmentCounts)
+MENTION(SurfaceElement)
 MENTION(SegmentArgs)
 MENTION(AccumulateArgs)
 MENTION(AlbedoArgs)
@@ -59,6 +61,7 @@ MENTION(ExtendArgs)
 MENTION(GenerateArgs)
 MENTION(NaiveArgs)
 MENTION(NormalsArgs)
+MENTION(PlaceArgs)
 MENTION(ShadeArgs)
 MENTION(ShowPatchesArgs)
 
@@ -69,9 +72,10 @@ void main() {
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
         USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode) USE(VisibilityCount)
         USE(MaterialRecord) USE(TextureRecord)
-        USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs)
+        USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts)
+        USE(SurfaceElement) USE(SegmentArgs)
         USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
-        USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs) USE(ShowPatchesArgs);
+        USE(NaiveArgs) USE(NormalsArgs) USE(PlaceArgs) USE(ShadeArgs) USE(ShowPatchesArgs);
     block_Texel.at[0].rgba8 = uint(total);
 }
