@@ -23,13 +23,13 @@ std::span<const Choice> radiosity_directs();
 
 struct RadiositySettings {
     PatchOptions patches{0, 10000};
-    std::uint32_t refine = 0;     // times that patches with a high gradient are halved
-    float refine_threshold = 0.1f; // difference between a patch's corners, of the scene's mean radiance
-    std::string solver = "gauss-seidel";  // a row of radiosity_solvers()
-    std::string direct = "shadow-rays";   // a row of radiosity_directs()
-    std::uint32_t rays = 256;             // of a row of form factors; a power of two, 4 to 65536
-    std::uint32_t shadow_samples = 128;   // paths to luminaires from each side
-    float tolerance = 1e-4f;              // of the greatest value: the error of the solution is estimated below
+    std::uint32_t refine = 0;            // times that patches with a high gradient are halved
+    float refine_threshold = 0.1f;       // difference between a patch's corners, of the scene's mean radiance
+    std::string solver = "gauss-seidel"; // a row of radiosity_solvers()
+    std::string direct = "shadow-rays";  // a row of radiosity_directs()
+    std::uint32_t rays = 256;            // of a row of form factors; a power of two, 4 to 65536
+    std::uint32_t shadow_samples = 128;  // paths to luminaires from each side
+    float tolerance = 1e-4f; // of the greatest value: the error of the solution is estimated below
     std::uint32_t max_iterations = 1000;
     // For rows of form factors. What does not fit is computed again in every iteration: the same result.
     std::uint64_t memory_bytes = std::uint64_t{2} << 30;
