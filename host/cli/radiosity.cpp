@@ -9,7 +9,7 @@ namespace {
 constexpr const char* EXAMPLES =
     "  ajar radiosity scene.glb -o out.png\n"
     "  ajar radiosity scene.glb -o patches.png --shading flat --patches 2000\n"
-    "  ajar radiosity scene.glb -o out.exr --shading gather --samples 256 --patch-size 0.05\n"
+    "  ajar radiosity scene.glb -o out.exr --shading gather --patch-size 0.05\n"
     "  ajar radiosity scene.glb -o out.png --solver shooting --report out.json\n"
     "  ajar radiosity scene.glb -o out.png --plot convergence.svg --plot-solvers all";
 

@@ -56,7 +56,7 @@ void check_count(const PatchMesh& mesh, const PatchOptions& options) {
     const double least = size > 0 ? area / (0.25 * std::sqrt(3.0) * size * size) : 0;
     if (least > MAX_PATCHES || options.patches > MAX_PATCHES)
         throw Error(fmt::format("radiosity: {} makes more than {} patches (choose {})",
-                                least > MAX_PATCHES ? fmt::format("a patch size of {} m", size)
+                                least > MAX_PATCHES ? fmt::format("a patch size of {:g} m", size)
                                                     : fmt::format("{} patches or more", options.patches),
                                 MAX_PATCHES, least > MAX_PATCHES ? "a larger one" : "fewer"));
 }
