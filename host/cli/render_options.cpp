@@ -1,41 +1,20 @@
 #include "cli/render_options.hpp"
 
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
+#include "cli/radiosity_options.hpp"
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace ajar::cli {
 
 namespace {
 
 constexpr std::uint32_t MAX_SIDE = 65536; // pixels; whether the film fits is for the device to say
-constexpr double HUGE_NUMBER = std::numeric_limits<float>::max();
-
-// A finite number from `low` to `high`; without a description, which CLI11 would put into the help's option
-// names.
-CLI::Validator number(double low, double high) {
-    return CLI::Validator(
-        [low, high](const std::string& text) {
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            if (!text.empty() && *end == '\0' && value >= low && value <= high) return std::string();
-            if (high == HUGE_NUMBER && low == -HUGE_NUMBER)
-                return fmt::format("'{}' is not a finite number", text);
-            if (high == HUGE_NUMBER) return fmt::format("'{}' is not a number of at least {}", text, low);
-            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
-        },
-        "");
-}
-
-CLI::Validator count(std::uint32_t low, std::uint32_t high = std::numeric_limits<std::uint32_t>::max()) {
-    return number(low, high);
-}
 
 void set_size(RenderSettings& settings, const std::string& text) {
     const char* const end = text.data() + text.size();
@@ -164,6 +143,7 @@ void declare_method(CLI::App& app, RenderOptions& o) {
             ->group(group);
     };
     choice("--integrator", s.integrator, "What is computed", integrators());
+    choice("--shading", s.shading, "How integrator radiosity shows its patches", shadings());
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
     choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
@@ -259,6 +239,8 @@ void declare(CLI::App& app, RenderOptions& options) {
     declare_display(app, options);
     declare_image(app, options);
     declare_method(app, options);
+    declare_radiosity(app, options.radiosity);
+    declare_plot(app, options.plot);
     declare_scene(app, options);
     declare_device(app, options);
 }

@@ -25,6 +25,7 @@ struct IntegratorContext {
         specialization;  // workgroup and segment size, tables, features, strategy, light sampler
     bool shadow_packets; // shadow rays of camera rays' hits are better traced together
     std::uint32_t light_count;
+    bool from_surfaces; // bounce 0 is where paths begin: nothing to extend, and shaded white
 
     // The same with SPEC_OPTION set, and another light sampler.
     gpu::Specialization with_option(std::uint32_t option) const;
@@ -79,6 +80,8 @@ class Integrator {
 struct IntegratorRow {
     Choice choice;
     std::unique_ptr<Integrator> (*make)(const IntegratorContext&);
+    bool from_surfaces = false; // it heeds the context's
+    bool shows_patches = false; // it needs what radiosity found for them
 };
 
 std::unique_ptr<Integrator> make_path_integrator(const IntegratorContext& context);
@@ -86,5 +89,6 @@ std::unique_ptr<Integrator> make_naive_integrator(const IntegratorContext& conte
 std::unique_ptr<Integrator> make_normals_integrator(const IntegratorContext& context);
 std::unique_ptr<Integrator> make_albedo_integrator(const IntegratorContext& context);
 std::unique_ptr<Integrator> make_ao_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_patch_integrator(const IntegratorContext& context);
 
 } // namespace ajar

@@ -4,6 +4,7 @@
 #include "render/camera.hpp"
 #include "render/choices.hpp"
 #include "render/sample_sequence.hpp"
+#include "render/specialize.hpp"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <bit>
@@ -38,18 +39,34 @@ std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels)
 } // namespace
 
 RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
-                     const RenderSettings& settings, LearnedVisibility* visibility)
+                     const RenderSettings& settings, LearnedVisibility* visibility,
+                     std::span<const SurfaceElement> elements, const PatchTable* patches)
     : device_(device), settings_(resolved(settings, gpu_scene)), camera_(choose_camera(scene, settings)),
-      film_(device, settings.width, settings.height, settings.aovs),
+      film_(device,
+            elements.empty() ? FilmPixels::picture(settings.width, settings.height)
+                             : FilmPixels::list(elements.size()),
+            settings.aovs),
       pool_(device, settings,
             std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
       bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
-      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
-      visibility_(visibility), context_{device, settings_, specialization(), gpu_scene.suits_shadow_packets(),
-                                        gpu_scene.frame().light_count},
-      generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
+      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene), visibility_(visibility),
+      patches_(patches), context_{device,
+                                  settings_,
+                                  specialization(),
+                                  gpu_scene.suits_shadow_packets(),
+                                  gpu_scene.frame().light_count,
+                                  !elements.empty()},
       accumulate_(device, "accumulate", context_.specialization),
-      integrator_(find_integrator(settings.integrator).make(context_)), steps_(trace_shares()) {
+      integrator_(find_integrator(settings.integrator).make(context_)),
+      steps_(trace_shares(device, gpu_scene, pool_)) {
+    if (!elements.empty()) {
+        elements_ = gpu::Buffer(device, elements.size_bytes(), "surface elements");
+        elements_.write(elements);
+        place_.emplace(device, "place", context_.specialization);
+    } else {
+        const auto filter = static_cast<std::uint32_t>(settings.filter);
+        generate_.emplace(device, "generate", context_.with_option(filter));
+    }
     settings_.pool_paths = pool_.paths();
     settings_.segment_paths = pool_.segment_paths();
     if (settings.aovs) aov_.emplace(device, "aov", context_.specialization);
@@ -57,41 +74,27 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
     pool_.bind(bindings_);
     gpu_scene.bind(bindings_);
     if (visibility_ != nullptr) visibility_->bind(bindings_);
+    if (patches_ != nullptr) patches_->bind(bindings_);
     write_frame(settings_.seed, settings_.sequence_samples);
     bindings_.uniform(frame_buffer_);
 }
 
 gpu::Specialization RenderJob::specialization() const {
-    std::uint32_t features = gpu_scene_.features();
-    features = choose_triangle_sampling(settings_.triangle_sampling, features);
-    if (camera_.kind == CameraKind::orthographic) features |= FEATURE_ORTHOGRAPHIC;
-    const bool fits = visibility_ == nullptr || visibility_->fits_texel_buffer(device_);
-    const bool texels = gpu_scene_.texel_buffers() != 0 && fits && !device_.options().force_pointers;
-    return {{SPEC_WORKGROUP_SIZE, device_.workgroup_size()},
-            {SPEC_SEGMENT_SIZE, pool_.segment_paths()},
-            {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u},
-            {SPEC_FEATURES, features},
-            {SPEC_PATH_TEXELS, pool_.read_by_texels(device_) ? 1u : 0u},
-            {SPEC_STACK_REGISTERS, gpu_scene_.stack_registers()},
-            {SPEC_STRATEGY, find_strategy(settings_.strategy)},
-            {SPEC_HEURISTIC, find_heuristic(settings_.heuristic)},
-            {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)},
-            {SPEC_TRACE_SHARES, trace_shares()},
-            {SPEC_SAMPLER, find_sampler(settings_.sampler)}};
+    const std::uint32_t features = camera_.kind == CameraKind::orthographic ? FEATURE_ORTHOGRAPHIC : 0;
+    const bool fits = (visibility_ == nullptr || visibility_->fits_texel_buffer(device_)) &&
+                      (patches_ == nullptr || patches_->fits_texel_buffer(device_));
+    return specialize(device_, gpu_scene_, pool_, settings_, features, fits);
 }
 
-// A driver ends all loops of an invocation after 65,535 iterations (lavapipe of Mesa 22.3), and rays through
-// foliage take many: with 64 a thread, none too many through 40,000 triangles with holes, a hundredth of the
-// rays through 400,000. More workgroups cost more, as most are idle where few paths are left.
-std::uint32_t RenderJob::trace_shares() const {
-    const std::uint64_t triangles = gpu_scene_.unsure_triangles();
-    const std::uint32_t rays = triangles < 1u << 16 ? 64 : triangles < 1u << 19 ? 32 : 16; // a thread
-    if (triangles == 0) return 1;
-    return std::max(pool_.segment_paths() / (device_.workgroup_size() * rays), 1u);
+void RenderJob::add_begin(Steps& steps) const {
+    if (generate_) return steps.add(*generate_, 0);
+    steps.add([this](gpu::Commands& commands, const SegmentArgs& slice) {
+        place_->dispatch(commands, {{elements_.address()}, slice, 0}, slice.segment_count);
+    });
 }
 
 void RenderJob::add_steps() {
-    steps_.add(generate_, 0);
+    add_begin(steps_);
     if (aov_)
         steps_.set_aovs([this](gpu::Commands& commands, const SegmentArgs& slice) {
             aov_->dispatch(commands, {slice}, pixel_groups(slice));
@@ -117,6 +120,7 @@ void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) 
     frame.ao_distance = settings_.ao_distance;
     frame.sample_clamp = settings_.clamp > 0 ? settings_.clamp : std::numeric_limits<float>::max();
     if (visibility_ != nullptr) visibility_->describe(frame);
+    if (patches_ != nullptr) patches_->describe(frame);
     frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
 }
 
@@ -125,8 +129,8 @@ bool RenderJob::learn(const ProgressSink& progress) {
     constexpr std::uint32_t PATHS = 1u << 19;
     constexpr std::uint32_t OTHER_SEED = 0x6c656172; // "lear"
     const Clock::time_point start = Clock::now();
-    Steps steps(trace_shares());
-    steps.add(generate_, 0);
+    Steps steps(trace_shares(device_, gpu_scene_, pool_));
+    add_begin(steps);
     integrator_->add_learning_steps(steps);
     const std::uint32_t samples = std::bit_floor(std::max(PATHS / film_.pixel_count(), 1u));
     const std::uint32_t per_pass =
@@ -213,8 +217,10 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     stats.light_tree_seconds = gpu_scene_.light_tree_seconds();
     stats.triangles = gpu_scene_.triangle_count();
     stats.lights = gpu_scene_.frame().light_count;
-    stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();
+    stats.device_bytes =
+        gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes() + elements_.size_bytes();
     if (visibility_ != nullptr) stats.device_bytes += visibility_->device_bytes();
+    if (patches_ != nullptr) stats.device_bytes += patches_->device_bytes();
     stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
     stats.extension_rays = totals.extension_rays;
     stats.shadow_rays = totals.shadow_rays;

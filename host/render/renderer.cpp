@@ -4,6 +4,7 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "render/choices.hpp"
+#include "render/element_radiance.hpp"
 #include "render/render_job.hpp"
 #include "render/sample_sequence.hpp"
 #include "shaders/shared/light.glsl.h"
@@ -25,6 +26,7 @@ void check(const RenderSettings& s) {
     sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
+    find_shading(s.shading);
 }
 
 } // namespace
@@ -38,9 +40,12 @@ struct Renderer::Impl {
     double prepare_seconds = 0;
     RenderSettings learned_with{};
     std::optional<LearnedVisibility> visibility{};
+    PatchPicture picture{};
+    std::optional<PatchTable> patches{}; // the picture's, in the leaf order of gpu_scene
 
     void prepare(const RenderSettings& settings);
     LearnedVisibility* visibility_for(const RenderSettings& settings);
+    const PatchTable* patches_for(const RenderSettings& settings);
 };
 
 // The uploaded scene depends on few settings; it is made again when they change.
@@ -54,6 +59,7 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
     const Clock::time_point start = Clock::now();
     gpu_scene.reset();
     visibility.reset();
+    patches.reset();
     scene_options = wanted;
     gpu_scene.emplace(device, scene, scene_options);
     if (warn && gpu_scene->spheres_left_out() > 0)
@@ -77,6 +83,13 @@ LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings
     return &*visibility;
 }
 
+const PatchTable* Renderer::Impl::patches_for(const RenderSettings& settings) {
+    if (!find_integrator(settings.integrator).shows_patches) return nullptr;
+    if (!patches)
+        patches.emplace(device, gpu_scene->triangle_sources(), picture.divided, picture.nodes, picture.sides);
+    return &*patches;
+}
+
 Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningSink& warn)
     : impl_(new Impl{device, scene, warn}) {
     validate(scene);
@@ -84,13 +97,40 @@ Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningS
 
 Renderer::~Renderer() = default;
 
+void Renderer::show(PatchPicture patches) {
+    impl_->picture = std::move(patches);
+    impl_->patches.reset();
+}
+
 RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink& progress) {
     check(settings);
-    impl_->prepare(settings);
-    RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, settings, impl_->visibility_for(settings));
+    RenderSettings used = settings;
+    if (find_integrator(used.integrator).shows_patches) {
+        if (impl_->picture.sides.empty())
+            throw Error(fmt::format("integrator '{}': no patches have been solved for", used.integrator));
+        used.bake_below_triangles = UINT64_MAX; // patches are in the world
+    }
+    impl_->prepare(used);
+    RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, used, impl_->visibility_for(used), {},
+                  impl_->patches_for(used));
     RenderOutput output = job.run(progress);
     output.stats.prepare_seconds = impl_->prepare_seconds;
     return output;
+}
+
+ElementRadiance Renderer::irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
+                                     const ProgressSink& progress) {
+    check(settings);
+    RenderSettings used = settings;
+    used.bake_below_triangles = UINT64_MAX; // elements name triangles of the world
+    impl_->prepare(used);
+    const SurfaceIndex index(impl_->scene, impl_->gpu_scene->triangle_sources());
+    std::vector<shared::SurfaceElement> on_device;
+    for (const SceneElement& element : elements) on_device.push_back(index.element(element));
+    ElementRadiance result =
+        trace_elements(impl_->device, impl_->scene, *impl_->gpu_scene, on_device, used, progress);
+    result.stats.prepare_seconds = impl_->prepare_seconds;
+    return result;
 }
 
 } // namespace ajar

@@ -7,20 +7,32 @@
 #include "shaders/kernels/albedo.glsl.h"
 #include "shaders/kernels/ao.glsl.h"
 #include "shaders/kernels/aov.glsl.h"
+#include "shaders/kernels/average.glsl.h"
 #include "shaders/kernels/connect.glsl.h"
 #include "shaders/kernels/extend.glsl.h"
 #include "shaders/kernels/generate.glsl.h"
+#include "shaders/kernels/measure.glsl.h"
 #include "shaders/kernels/naive.glsl.h"
 #include "shaders/kernels/normals.glsl.h"
+#include "shaders/kernels/place.glsl.h"
+#include "shaders/kernels/radiate.glsl.h"
+#include "shaders/kernels/receive.glsl.h"
 #include "shaders/kernels/shade.glsl.h"
+#include "shaders/kernels/shoot.glsl.h"
+#include "shaders/kernels/show_patches.glsl.h"
+#include "shaders/kernels/tally.glsl.h"
+#include "shaders/kernels/update.glsl.h"
 #include "shaders/shared/bvh.glsl.h"
+#include "shaders/shared/element.glsl.h"
 #include "shaders/shared/film.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/geometry.glsl.h"
 #include "shaders/shared/light.glsl.h"
 #include "shaders/shared/light_tree.glsl.h"
 #include "shaders/shared/material.glsl.h"
+#include "shaders/shared/patch.glsl.h"
 #include "shaders/shared/path.glsl.h"
+#include "shaders/shared/radiosity.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
 
 #include <algorithm>
@@ -68,7 +80,7 @@ const Field FIELDS[] = {
     F(FrameRecord, nodes), F(FrameRecord, triangles), F(FrameRecord, surfaces), F(FrameRecord, instances),
     F(FrameRecord, materials), F(FrameRecord, texels), F(FrameRecord, lights), F(FrameRecord, environment),
     F(FrameRecord, pixel_order), F(FrameRecord, aovs), F(FrameRecord, diagnostics),
-    F(FrameRecord, visibility), F(FrameRecord, visibility_counts), F(FrameRecord, pad_pointer),
+    F(FrameRecord, visibility), F(FrameRecord, visibility_counts), F(FrameRecord, patches),
     F(FrameRecord, camera_origin), F(FrameRecord, camera_scale_x),
     F(FrameRecord, camera_right), F(FrameRecord, camera_scale_y), F(FrameRecord, camera_up),
     F(FrameRecord, width), F(FrameRecord, camera_back), F(FrameRecord, height), F(FrameRecord, seed),
@@ -82,6 +94,7 @@ const Field FIELDS[] = {
     F(FrameRecord, distant_irradiance), F(FrameRecord, tree_first), F(FrameRecord, tree_nodes),
     F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, sequence_log2),
     F(FrameRecord, soft_first), F(FrameRecord, soft_count),
+    F(FrameRecord, patch_nodes_first), F(FrameRecord, patch_sides_first),
     F(SurfaceRecord, normal), F(SurfaceRecord, material), F(SurfaceRecord, uv0), F(SurfaceRecord, light),
     F(SurfaceRecord, object),
     F(SurfaceExtension, uv1), F(SurfaceExtension, tangent), F(SurfaceExtension, tangent_sign),
@@ -101,6 +114,8 @@ const Field FIELDS[] = {
     F(MaterialRecord, normal_texture), F(MaterialRecord, emission_texture),
     F(TextureRecord, first_texel), F(TextureRecord, width), F(TextureRecord, height), F(TextureRecord, flags),
     F(TextureRecord, uv_row_u), F(TextureRecord, pad0), F(TextureRecord, uv_row_v), F(TextureRecord, pad1),
+    F(PatchNode, child), F(PatchNode, edge), F(PatchNode, pad),
+    F(PatchSide, radiance), F(PatchSide, irradiance),
     F(PathState, origin), F(PathState, home), F(PathState, direction), F(PathState, leaves),
     F(PathState, beta), F(PathState, pdf), F(PathState, triangle), F(PathState, instance),
     F(PathState, u), F(PathState, v),
@@ -110,19 +125,41 @@ const Field FIELDS[] = {
     F(SegmentCounts, paths), F(SegmentCounts, shadows), F(SegmentCounts, rays_traced),
     F(SegmentCounts, shadows_traced), F(SegmentCounts, shadows_open), F(SegmentCounts, loops_exhausted),
     F(SegmentCounts, pad),
+    F(SurfaceElement, triangle), F(SurfaceElement, flags), F(SurfaceElement, origin),
+    F(SurfaceElement, edge_a), F(SurfaceElement, edge_b),
     F(SegmentArgs, segment_count), F(SegmentArgs, first_segment), F(SegmentArgs, segment_stride),
     F(SegmentArgs, bounce), F(SegmentArgs, path_count), F(SegmentArgs, first_ordinal),
     F(SegmentArgs, chunk_ordinal), F(SegmentArgs, samples_log2), F(SegmentArgs, first_sample),
+    F(SideValue, rgb), F(SideValue, scalar), F(SideIndex, side), F(RowWord, sides),
+    F(RowTotals, rays_nowhere), F(RowTotals, rays_sky), F(RowsMeasure, max_rest),
+    F(RowsMeasure, max_value), F(RowsMeasure, rest_power), F(RowsMeasure, power),
+    F(RowsMeasure, max_rest_power), F(RowsMeasure, pad),
     F(AccumulateArgs, segments),
     F(AlbedoArgs, segments),
     F(AoArgs, segments),
     F(AovArgs, segments),
+    F(AverageArgs, elements), F(AverageArgs, emission), F(AverageArgs, reflectance),
+    F(AverageArgs, first_side), F(AverageArgs, side_count), F(AverageArgs, points), F(AverageArgs, pad),
     F(ConnectArgs, segments),
     F(ExtendArgs, segments),
     F(GenerateArgs, segments),
+    F(MeasureArgs, row_sides), F(MeasureArgs, reflectance), F(MeasureArgs, solution),
+    F(MeasureArgs, rest), F(MeasureArgs, measures), F(MeasureArgs, row_count), F(MeasureArgs, pad),
     F(NaiveArgs, segments),
     F(NormalsArgs, segments),
+    F(PlaceArgs, elements), F(PlaceArgs, segments), F(PlaceArgs, pad),
+    F(RadiateArgs, elements), F(RadiateArgs, row_sides), F(RadiateArgs, segments), F(RadiateArgs, pad),
+    F(ReceiveArgs, rows), F(ReceiveArgs, row_sides), F(ReceiveArgs, from), F(ReceiveArgs, to),
+    F(ReceiveArgs, first_row), F(ReceiveArgs, row_count), F(ReceiveArgs, rays_log2), F(ReceiveArgs, pad),
+    F(ShowPatchesArgs, segments),
     F(ShadeArgs, segments), F(ShadeArgs, light),
+    F(ShootArgs, row_sides), F(ShootArgs, reflectance), F(ShootArgs, rest), F(ShootArgs, shot),
+    F(ShootArgs, shooters), F(ShootArgs, threshold), F(ShootArgs, row_count),
+    F(TallyArgs, entries), F(TallyArgs, met), F(TallyArgs, totals), F(TallyArgs, segments),
+    F(TallyArgs, first_row), F(TallyArgs, rays_log2), F(TallyArgs, side_count),
+    F(UpdateArgs, row_sides), F(UpdateArgs, received), F(UpdateArgs, source),
+    F(UpdateArgs, reflectance), F(UpdateArgs, solution), F(UpdateArgs, rest), F(UpdateArgs, first_row),
+    F(UpdateArgs, row_count),
 };
 // clang-format on
 
