@@ -54,6 +54,7 @@ Json image_settings(const Manifest& m) {
             {"sequence_samples", s.sequence_samples},
             {"naive_sampling", s.naive_sampling},
             {"triangle_sampling", s.triangle_sampling},
+            {"environment_sampling", s.environment_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
             {"filter_radius", s.filter_radius},
@@ -112,12 +113,9 @@ Json time_json(const RenderStats& stats) {
         kernels[name] = {{"seconds", time.seconds},
                          {"dispatches", time.dispatches},
                          {"share", total > 0 ? time.seconds / total : 0}};
-    return {{"prepare_seconds", stats.prepare_seconds},
-            {"bvh_seconds", stats.bvh_seconds},
-            {"light_tree_seconds", stats.light_tree_seconds},
-            {"render_seconds", stats.render_seconds},
-            {"learning_seconds", stats.learning_seconds},
-            {"kernels", kernels}};
+    return {{"prepare_seconds", stats.prepare_seconds},       {"bvh_seconds", stats.bvh_seconds},
+            {"light_tree_seconds", stats.light_tree_seconds}, {"render_seconds", stats.render_seconds},
+            {"learning_seconds", stats.learning_seconds},     {"kernels", kernels}};
 }
 
 Json rays_json(const RenderStats& stats) {

@@ -24,6 +24,7 @@ constexpr const char* EXAMPLES =
 // Before hours of rendering: everything that can be known to fail at their end.
 void check(const RenderOptions& o) {
     if (o.outputs.empty() && o.report.empty()) throw UsageError("nothing to write: -o FILE is missing");
+    expect_possible(o.settings);
     for (const std::string& file : o.outputs) check_save(file, o.save);
     if (!o.report.empty()) const PendingFile writable(o.report);
 }

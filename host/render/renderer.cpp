@@ -14,9 +14,7 @@
 
 namespace ajar {
 
-namespace {
-
-void check(const RenderSettings& s) {
+void check_settings(const RenderSettings& s) {
     if (s.samples == 0) throw Error("samples: must be at least 1");
     if (s.max_bounces > 1000) throw Error(fmt::format("max bounces {}: at most 1000", s.max_bounces));
     if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
@@ -25,9 +23,8 @@ void check(const RenderSettings& s) {
     sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
+    choose_environment_sampling(s);
 }
-
-} // namespace
 
 struct Renderer::Impl {
     const gpu::Device& device;
@@ -49,6 +46,8 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
     wanted.cull_backfaces = settings.cull_backfaces;
     wanted.background = glm::vec3(settings.background[0], settings.background[1], settings.background[2]);
     wanted.bake_below_triangles = settings.bake_below_triangles;
+    if (scene.environment && !scene.environment->radiance.empty())
+        wanted.environment_density = choose_environment_sampling(settings);
     prepare_seconds = 0;
     if (gpu_scene && wanted == scene_options) return;
     const Clock::time_point start = Clock::now();
@@ -85,7 +84,7 @@ Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningS
 Renderer::~Renderer() = default;
 
 RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink& progress) {
-    check(settings);
+    check_settings(settings);
     impl_->prepare(settings);
     RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, settings, impl_->visibility_for(settings));
     RenderOutput output = job.run(progress);
