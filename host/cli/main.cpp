@@ -34,7 +34,8 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     const std::vector<Command> commands{render_command(app),  radiosity_command(app), lab_command(app),
-                                        compare_command(app), info_command(app),      devices_command(app)};
+                                        merge_command(app),   compare_command(app),   info_command(app),
+                                        devices_command(app)};
     const auto chosen = [&] {
         return std::find_if(commands.begin(), commands.end(),
                             [](const Command& c) { return c.app->parsed(); });
@@ -45,7 +46,7 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (chosen() == commands.end())
-            throw UsageError("a command is missing: render, radiosity, lab, compare, info or devices");
+            throw UsageError("a command is missing: render, radiosity, lab, merge, compare, info or devices");
         return chosen()->run();
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))

@@ -42,6 +42,7 @@ struct RenderOptions {
 void declare(CLI::App& app, RenderOptions& options);
 
 // Their groups, for commands that take some of them.
+void declare_files(CLI::App& app, RenderOptions& options);
 void declare_output(CLI::App& app, RenderOptions& options);  // the files, and what is in them
 void declare_display(CLI::App& app, RenderOptions& options); // tone mapping, progress
 void declare_image(CLI::App& app, RenderOptions& options);   // size, samples, bounces, filter

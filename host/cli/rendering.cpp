@@ -1,5 +1,8 @@
 #include "cli/rendering.hpp"
 
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "render/render.hpp"
 #include "shaders/shared/film.glsl.h"
 
 #include <algorithm>
@@ -15,6 +18,14 @@ std::string samples_text(std::uint64_t count) {
 }
 
 } // namespace
+
+void expect_possible(const RenderSettings& settings, std::string_view what) {
+    try {
+        check_settings(settings);
+    } catch (const Error& error) {
+        throw UsageError(fmt::format("{}{}", what, error.what()));
+    }
+}
 
 Device open_device(RenderOptions& o, ProgressDisplay& display) {
     if (!o.no_cache)

@@ -10,6 +10,9 @@
 
 namespace ajar::cli {
 
+// Throws UsageError for settings that exclude each other. `what`: begins the line.
+void expect_possible(const RenderSettings& settings, std::string_view what = "");
+
 // `display` must outlive the device, the options outlive the scene.
 Device open_device(RenderOptions& options, ProgressDisplay& display);
 SceneFile load_scene(RenderOptions& options, ProgressDisplay& display);

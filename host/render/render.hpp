@@ -29,7 +29,12 @@ std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();
 std::span<const Choice> triangle_samplings();
 std::span<const Choice> shadings();
+std::span<const Choice> environment_samplings();
 std::span<const Choice> pixel_filters();
+
+// Throws Error for settings with which no scene can be rendered: unknown names, numbers out of range, choices
+// that exclude each other.
+void check_settings(const RenderSettings& settings);
 
 struct RenderStats {
     RenderSettings settings;   // as used: what was left to a default has its value

@@ -15,9 +15,7 @@
 
 namespace ajar {
 
-namespace {
-
-void check(const RenderSettings& s) {
+void check_settings(const RenderSettings& s) {
     if (s.samples == 0) throw Error("samples: must be at least 1");
     if (s.max_bounces > 1000) throw Error(fmt::format("max bounces {}: at most 1000", s.max_bounces));
     if (std::uint64_t{s.first_sample} + s.samples > UINT64_C(1) << 32)
@@ -27,9 +25,8 @@ void check(const RenderSettings& s) {
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
     find_shading(s.shading);
+    choose_environment_sampling(s);
 }
-
-} // namespace
 
 struct Renderer::Impl {
     const gpu::Device& device;
@@ -54,6 +51,8 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
     wanted.cull_backfaces = settings.cull_backfaces;
     wanted.background = glm::vec3(settings.background[0], settings.background[1], settings.background[2]);
     wanted.bake_below_triangles = settings.bake_below_triangles;
+    if (scene.environment && !scene.environment->radiance.empty())
+        wanted.environment_density = choose_environment_sampling(settings);
     prepare_seconds = 0;
     if (gpu_scene && wanted == scene_options) return;
     const Clock::time_point start = Clock::now();
@@ -103,7 +102,7 @@ void Renderer::show(PatchPicture patches) {
 }
 
 RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink& progress) {
-    check(settings);
+    check_settings(settings);
     RenderSettings used = settings;
     if (find_integrator(used.integrator).shows_patches) {
         if (impl_->picture.sides.empty())
