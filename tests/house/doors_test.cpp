@@ -20,6 +20,7 @@ const std::map<std::string, std::set<std::string>> DOORS = {
     {"bvh", {"base"}},
     {"gpu", {"base"}},
     {"import", {"scene", "image", "base"}},
+    {"export", {"scene", "image", "base"}},
     {"render", {"bvh", "gpu", "scene", "image", "base"}},
     {"radiosity", {"bvh", "gpu", "scene", "image", "base"}},
     {"ajar", {"import", "radiosity", "render", "bvh", "gpu", "scene", "image", "base"}},
