@@ -18,13 +18,15 @@ namespace {
 
 constexpr IntegratorRow INTEGRATORS[] = {
     {{"path", "path tracing with direct lighting: shadow rays and multiple importance sampling"},
-     make_path_integrator},
+     make_path_integrator,
+     true},
     {{"direct", "emission and light that arrives straight from luminaires: path without indirect bounces"},
-     make_path_integrator},
+     make_path_integrator,
+     true},
     {{"naive", "path tracing without shadow rays: lights are found by chance"}, make_naive_integrator},
     {{"normals", "shading normals as colours"}, make_normals_integrator},
     {{"albedo", "reflectance of what the camera sees"}, make_albedo_integrator},
-    {{"ao", "ambient occlusion within a distance"}, make_ao_integrator},
+    {{"ao", "ambient occlusion within a distance"}, make_ao_integrator, true},
 };
 
 struct ConstantRow {

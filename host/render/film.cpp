@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
 
 namespace ajar {
 
@@ -69,8 +70,23 @@ std::vector<std::uint32_t> morton_pixel_order(std::uint32_t width, std::uint32_t
     return order;
 }
 
-Film::Film(const gpu::Device& device, std::uint32_t width, std::uint32_t height, bool aovs)
-    : width_(width), height_(height), order_(morton_pixel_order(width, height)) {
+FilmPixels FilmPixels::picture(std::uint32_t width, std::uint32_t height) {
+    return {width, height, morton_pixel_order(width, height)};
+}
+
+FilmPixels FilmPixels::list(std::size_t count) {
+    constexpr std::size_t MAX_WIDTH = 1u << 15;
+    if (count > MAX_WIDTH * 65535) throw Error(fmt::format("{} surface elements: too many", count));
+    FilmPixels pixels;
+    pixels.width = static_cast<std::uint32_t>(std::clamp<std::size_t>(count, 1, MAX_WIDTH));
+    pixels.height = static_cast<std::uint32_t>((count + pixels.width - 1) / pixels.width);
+    for (std::uint32_t i = 0; i < count; ++i)
+        pixels.order.push_back(i % pixels.width | i / pixels.width << 16);
+    return pixels;
+}
+
+Film::Film(const gpu::Device& device, FilmPixels pixels, bool aovs)
+    : width_(pixels.width), height_(pixels.height), order_(std::move(pixels.order)) {
     const std::uint64_t bindable = device.limits().max_storage_bytes / sizeof(FilmPixel);
     chunk_pixels_ = static_cast<std::uint32_t>(std::min<std::uint64_t>({order_.size(), bindable, 1u << 20}));
     order_buffer_ = gpu::Buffer(device, order_.size() * sizeof(std::uint32_t), "pixel order");
@@ -98,9 +114,10 @@ Image Film::resolve() const {
 }
 
 void Film::resolve_radiance(Image& image) const {
-    Layer beauty = make_layer("", {"R", "G", "B", "A"}, order_.size());
-    Layer variance = make_layer("variance", {"R", "G", "B"}, order_.size());
-    Layer samples = make_layer("samples", {"N"}, order_.size());
+    const std::size_t image_pixels = std::size_t{width_} * height_;
+    Layer beauty = make_layer("", {"R", "G", "B", "A"}, image_pixels);
+    Layer variance = make_layer("variance", {"R", "G", "B"}, image_pixels);
+    Layer samples = make_layer("samples", {"N"}, image_pixels);
     std::size_t ordinal = 0;
     for (const gpu::Buffer& chunk : chunks_) {
         for (const FilmPixel& p : chunk.read<FilmPixel>(0, chunk.size_bytes() / sizeof(FilmPixel))) {

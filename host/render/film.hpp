@@ -14,10 +14,21 @@ namespace ajar {
 // Throws Error above 65535 pixels a side.
 std::vector<std::uint32_t> morton_pixel_order(std::uint32_t width, std::uint32_t height);
 
-// Pixels are numbered by their place in the Morton order ("ordinal"), not by rows.
+// Which pixels a film has, and in which order: a pixel's place in it is its ordinal.
+struct FilmPixels {
+    std::uint32_t width = 0; // of the image
+    std::uint32_t height = 0;
+    std::vector<std::uint32_t> order; // x | y << 16
+
+    // The whole of a picture along the Morton curve.
+    static FilmPixels picture(std::uint32_t width, std::uint32_t height);
+    // So many in rows, for what is no picture: pixel i of the image is ordinal i. Throws Error beyond 2^31.
+    static FilmPixels list(std::size_t count);
+};
+
 class Film {
   public:
-    Film(const gpu::Device& device, std::uint32_t width, std::uint32_t height, bool aovs);
+    Film(const gpu::Device& device, FilmPixels pixels, bool aovs);
 
     std::uint32_t pixel_count() const { return static_cast<std::uint32_t>(order_.size()); }
     std::uint32_t chunk_pixels() const { return chunk_pixels_; } // the last chunk may hold fewer

@@ -17,16 +17,18 @@ using namespace shared;
 template <class Args> class FirstHitIntegrator : public Integrator {
   public:
     FirstHitIntegrator(const IntegratorContext& context, const char* kernel)
-        : extend_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
+        : from_surfaces_(context.from_surfaces),
+          extend_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           show_(context.device, kernel, context.specialization) {}
 
     void add_steps(Steps& steps) const override {
-        steps.add(extend_, 0);
+        if (!from_surfaces_) steps.add(extend_, 0);
         steps.add_aovs();
         steps.add(show_, 0);
     }
 
   private:
+    bool from_surfaces_;
     gpu::Kernel<ExtendArgs> extend_;
     gpu::Kernel<Args> show_;
 };

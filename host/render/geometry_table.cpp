@@ -45,12 +45,9 @@ std::vector<bool> choose_baked(const Scene& scene, const GeometryOptions& option
     return baked;
 }
 
-// A mirrored instance swaps two vertices, so that front faces stay counter-clockwise.
-bool mirrored(const glm::mat4& m) { return glm::determinant(glm::mat3(m)) < 0; }
-
 void append(Part& part, const Scene& scene, std::uint32_t instance, const glm::mat4& to_frame) {
     const Mesh& mesh = scene.meshes[scene.instances[instance].mesh];
-    const bool flip = mirrored(to_frame);
+    const bool flip = mirrors(to_frame);
     const std::size_t first = part.triangles.size();
     part.triangles.resize(first + mesh.triangles.size());
     part.sources.resize(part.triangles.size());
@@ -73,7 +70,7 @@ InstanceRecord instance_record(const glm::mat4& to_world, std::uint32_t root, st
     rows_of(to_world, record.to_world);
     rows_of(glm::affineInverse(to_world), record.to_object);
     record.root = root;
-    record.flags = mirrored(to_world) ? INSTANCE_FLIPPED : 0;
+    record.flags = mirrors(to_world) ? INSTANCE_FLIPPED : 0;
     record.object = object;
     return record;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bvh/bvh.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/geometry.glsl.h"
 
@@ -17,12 +18,6 @@ struct GeometryOptions {
     // Meshes used more than once are baked as well while all triangles stay below this: one level is faster
     // to trace.
     std::uint64_t bake_below_triangles = 1u << 20;
-};
-
-// Where a baked triangle came from.
-struct TriangleSource {
-    std::uint32_t instance = 0; // Scene::instances; for meshes that stay instanced: any instance of the mesh
-    std::uint32_t triangle = 0; // of its mesh
 };
 
 struct GeometryTable {

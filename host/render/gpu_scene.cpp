@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace ajar {
 
@@ -57,6 +58,7 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, const GpuScene
     place_environment(environment, host);
     build_lights(scene, environment, host);
     upload(device, host);
+    triangle_sources_ = std::move(host.geometry.sources);
 }
 
 void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options, Host& host) {
@@ -65,7 +67,6 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     geometry_options.extended_surfaces = wants_extended_surfaces(scene, host.materials.uses_uv1);
     geometry_options.bake_below_triangles = options.bake_below_triangles;
     host.geometry = build_geometry_table(scene, geometry_options);
-    triangle_count_ = host.geometry.triangles.size();
     bvh_seconds_ = host.geometry.bvh.stats.seconds;
     if (host.geometry.instances.size() > 1) features_ |= FEATURE_INSTANCES;
     stack_registers_ = bvh::stack_registers(host.geometry.bvh);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/bindings.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/frame.glsl.h"
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace ajar {
 
@@ -35,7 +37,9 @@ class GpuScene {
     // The fields that concern the scene; those of camera, film and settings are zero.
     const shared::FrameRecord& frame() const { return frame_; }
 
-    std::uint64_t triangle_count() const { return triangle_count_; }
+    std::uint64_t triangle_count() const { return triangle_sources_.size(); }
+    // In leaf order.
+    const std::vector<TriangleSource>& triangle_sources() const { return triangle_sources_; }
     std::uint64_t device_bytes() const;
     // Meshes marked as spheres that emit by their triangles all the same, since there are too many.
     std::uint32_t spheres_left_out() const { return spheres_left_out_; }
@@ -56,7 +60,7 @@ class GpuScene {
     std::uint32_t stack_registers_ = 0;
     bool suits_shadow_packets_ = false;
     std::uint32_t texel_buffers_ = 1;
-    std::uint64_t triangle_count_ = 0;
+    std::vector<TriangleSource> triangle_sources_;
     std::uint32_t spheres_left_out_ = 0;
     double bvh_seconds_ = 0;
     double light_tree_seconds_ = 0;

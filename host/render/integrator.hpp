@@ -25,6 +25,7 @@ struct IntegratorContext {
         specialization;  // workgroup and segment size, tables, features, strategy, light sampler
     bool shadow_packets; // shadow rays of camera rays' hits are better traced together
     std::uint32_t light_count;
+    bool from_surfaces; // bounce 0 is where paths begin: nothing to extend, and shaded white
 
     // The same with SPEC_OPTION set, and another light sampler.
     gpu::Specialization with_option(std::uint32_t option) const;
@@ -79,6 +80,7 @@ class Integrator {
 struct IntegratorRow {
     Choice choice;
     std::unique_ptr<Integrator> (*make)(const IntegratorContext&);
+    bool from_surfaces = false; // it heeds the context's
 };
 
 std::unique_ptr<Integrator> make_path_integrator(const IntegratorContext& context);

@@ -32,44 +32,66 @@ std::uint32_t lights_in_turn(const IntegratorContext& context) {
     return context.light_count;
 }
 
+// shade with one of its tasks: at bounce 0 of paths that begin on surfaces, these are white.
+class ShadeKernels {
+  public:
+    ShadeKernels(const IntegratorContext& context, std::uint32_t task)
+        : later_(context.device, "shade", specialization(context, task)),
+          first_(context.device, "shade",
+                 specialization(context, context.from_surfaces ? task | SHADE_WHITE : task)) {}
+    const gpu::Kernel<ShadeArgs>& at(std::uint32_t bounce) const { return bounce == 0 ? first_ : later_; }
+
+  private:
+    // Visibility is not known yet while it is learned.
+    static gpu::Specialization specialization(const IntegratorContext& context, std::uint32_t option) {
+        const bool learns = (option & ~SHADE_WHITE) == SHADE_LEARN;
+        return learns ? context.with_option(option, LIGHT_SAMPLER_TREE) : context.with_option(option);
+    }
+
+    gpu::Kernel<ShadeArgs> later_;
+    gpu::Kernel<ShadeArgs> first_;
+};
+
 // generate and accumulate are the renderer's: every integrator shares them.
 class PathIntegrator : public Integrator {
   public:
     explicit PathIntegrator(const IntegratorContext& context)
         : last_bounce_(context.settings.max_bounces + 1), connects_(context.settings.strategy != "bsdf"),
-          lights_in_turn_(lights_in_turn(context)),
+          from_surfaces_(context.from_surfaces), lights_in_turn_(lights_in_turn(context)),
           extend_camera_(context.device, "extend", context.with_option(EXTEND_CAMERA)),
           extend_bounce_(context.device, "extend", context.with_option(EXTEND_BOUNCE)),
-          shade_(context.device, "shade",
-                 context.with_option(lights_in_turn_ > 0 ? SHADE_SCATTER : SHADE_WHOLE)),
+          shade_(context, lights_in_turn_ > 0 ? SHADE_SCATTER : SHADE_WHOLE),
           connect_camera_(context.device, "connect",
                           context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
           connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {
-        if (lights_in_turn_ > 0) light_.emplace(context.device, "shade", context.with_option(SHADE_LIGHT));
+        if (lights_in_turn_ > 0) light_.emplace(context, SHADE_LIGHT);
         if (lights_in_turn_ > 0 || !connects_ || context.settings.light_sampler != "visibility") return;
-        learn_.emplace(context.device, "shade", context.with_option(SHADE_LEARN, LIGHT_SAMPLER_TREE));
+        learn_.emplace(context, SHADE_LEARN);
         count_.emplace(context.device, "connect", context.with_option(CONNECT_LEARN));
     }
 
     void add_steps(Steps& steps) const override {
         for (std::uint32_t bounce = 0; bounce <= last_bounce_; ++bounce) {
-            steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
+            add_extend(steps, bounce);
             if (bounce == 0) steps.add_aovs();
             if (bounce < last_bounce_) add_all_lights(steps, bounce);
-            steps.add(shade_, bounce);
+            steps.add(shade_.at(bounce), bounce);
             if (connects_ && lights_in_turn_ == 0 && bounce < last_bounce_) add_connect(steps, bounce);
         }
     }
 
     void add_learning_steps(Steps& steps) const override {
         for (std::uint32_t bounce = 0; learn_ && bounce < last_bounce_; ++bounce) {
-            steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
-            steps.add(*learn_, bounce);
+            add_extend(steps, bounce);
+            steps.add(learn_->at(bounce), bounce);
             steps.add(*count_, bounce);
         }
     }
 
   private:
+    void add_extend(Steps& steps, std::uint32_t bounce) const {
+        if (bounce > 0 || !from_surfaces_) steps.add(bounce == 0 ? extend_camera_ : extend_bounce_, bounce);
+    }
     void add_connect(Steps& steps, std::uint32_t bounce) const {
         steps.add(bounce == 0 ? connect_camera_ : connect_bounce_, bounce);
     }
@@ -79,7 +101,7 @@ class PathIntegrator : public Integrator {
             steps.add([this, bounce, light](gpu::Commands& commands, const SegmentArgs& slice) {
                 ShadeArgs args{slice, light};
                 args.segments.bounce = bounce;
-                light_->dispatch(commands, args, slice.segment_count);
+                light_->at(bounce).dispatch(commands, args, slice.segment_count);
             });
             add_connect(steps, bounce);
         }
@@ -87,13 +109,14 @@ class PathIntegrator : public Integrator {
 
     std::uint32_t last_bounce_; // where only emission is counted
     bool connects_;
+    bool from_surfaces_;
     std::uint32_t lights_in_turn_; // 0: shade_ picks one
-    std::optional<gpu::Kernel<ShadeArgs>> light_;
-    std::optional<gpu::Kernel<ShadeArgs>> learn_;
+    std::optional<ShadeKernels> light_;
+    std::optional<ShadeKernels> learn_;
     std::optional<gpu::Kernel<ConnectArgs>> count_;
     gpu::Kernel<ExtendArgs> extend_camera_;
     gpu::Kernel<ExtendArgs> extend_bounce_;
-    gpu::Kernel<ShadeArgs> shade_;
+    ShadeKernels shade_;
     gpu::Kernel<ConnectArgs> connect_camera_;
     gpu::Kernel<ConnectArgs> connect_bounce_;
 };

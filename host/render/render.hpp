@@ -5,10 +5,12 @@
 #include "gpu/commands.hpp"
 #include "image/image.hpp"
 #include "render/settings.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace ajar {
 
@@ -59,6 +61,14 @@ struct RenderOutput {
     RenderStats stats;
 };
 
+// By element. With integrator ao `irradiance` is the share of directions, by the cosine around the shading
+// normal, that are open.
+struct ElementRadiance {
+    std::vector<glm::vec3> irradiance; // W/m^2: of light from the side of the element, on its shading normal
+    std::vector<glm::vec3> variance;   // of that mean
+    RenderStats stats;
+};
+
 // A scene on a device, ready to be rendered with any settings.
 class Renderer {
   public:
@@ -71,6 +81,14 @@ class Renderer {
     // progress: stage "render", in samples per pixel; return false to stop. Throws Error (unknown names,
     // device lost).
     RenderOutput render(const RenderSettings& settings, const ProgressSink& progress = {});
+
+    // The mean over each element of the light that arrives there, by paths that begin on them: with
+    // max_bounces 0 straight from luminaires, else after up to so many bounces. What elements themselves
+    // emit, absorb or are made of does not count. Meshes are baked; what settings say of the picture and its
+    // camera is not looked at. Integrators path, direct and ao; Error for others. Elements must be of the
+    // scene's triangles.
+    ElementRadiance irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
+                               const ProgressSink& progress = {});
 
   private:
     struct Impl;

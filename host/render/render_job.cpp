@@ -38,18 +38,33 @@ std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels)
 } // namespace
 
 RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
-                     const RenderSettings& settings, LearnedVisibility* visibility)
+                     const RenderSettings& settings, LearnedVisibility* visibility,
+                     std::span<const SurfaceElement> elements)
     : device_(device), settings_(resolved(settings, gpu_scene)), camera_(choose_camera(scene, settings)),
-      film_(device, settings.width, settings.height, settings.aovs),
+      film_(device,
+            elements.empty() ? FilmPixels::picture(settings.width, settings.height)
+                             : FilmPixels::list(elements.size()),
+            settings.aovs),
       pool_(device, settings,
             std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
       bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
       frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
-      visibility_(visibility), context_{device, settings_, specialization(), gpu_scene.suits_shadow_packets(),
-                                        gpu_scene.frame().light_count},
-      generate_(device, "generate", context_.with_option(static_cast<std::uint32_t>(settings.filter))),
+      visibility_(visibility), context_{device,
+                                        settings_,
+                                        specialization(),
+                                        gpu_scene.suits_shadow_packets(),
+                                        gpu_scene.frame().light_count,
+                                        !elements.empty()},
       accumulate_(device, "accumulate", context_.specialization),
       integrator_(find_integrator(settings.integrator).make(context_)), steps_(trace_shares()) {
+    if (!elements.empty()) {
+        elements_ = gpu::Buffer(device, elements.size_bytes(), "surface elements");
+        elements_.write(elements);
+        place_.emplace(device, "place", context_.specialization);
+    } else {
+        const auto filter = static_cast<std::uint32_t>(settings.filter);
+        generate_.emplace(device, "generate", context_.with_option(filter));
+    }
     settings_.pool_paths = pool_.paths();
     settings_.segment_paths = pool_.segment_paths();
     if (settings.aovs) aov_.emplace(device, "aov", context_.specialization);
@@ -90,8 +105,15 @@ std::uint32_t RenderJob::trace_shares() const {
     return std::max(pool_.segment_paths() / (device_.workgroup_size() * rays), 1u);
 }
 
+void RenderJob::add_begin(Steps& steps) const {
+    if (generate_) return steps.add(*generate_, 0);
+    steps.add([this](gpu::Commands& commands, const SegmentArgs& slice) {
+        place_->dispatch(commands, {{elements_.address()}, slice, 0}, slice.segment_count);
+    });
+}
+
 void RenderJob::add_steps() {
-    steps_.add(generate_, 0);
+    add_begin(steps_);
     if (aov_)
         steps_.set_aovs([this](gpu::Commands& commands, const SegmentArgs& slice) {
             aov_->dispatch(commands, {slice}, pixel_groups(slice));
@@ -125,7 +147,7 @@ bool RenderJob::learn(const ProgressSink& progress) {
     constexpr std::uint32_t OTHER_SEED = 0x6c656172; // "lear"
     const Clock::time_point start = Clock::now();
     Steps steps(trace_shares());
-    steps.add(generate_, 0);
+    add_begin(steps);
     integrator_->add_learning_steps(steps);
     const std::uint32_t samples = std::bit_floor(std::max(PATHS / film_.pixel_count(), 1u));
     const std::uint32_t per_pass =
@@ -212,7 +234,8 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     stats.light_tree_seconds = gpu_scene_.light_tree_seconds();
     stats.triangles = gpu_scene_.triangle_count();
     stats.lights = gpu_scene_.frame().light_count;
-    stats.device_bytes = gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes();
+    stats.device_bytes =
+        gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes() + elements_.size_bytes();
     if (visibility_ != nullptr) stats.device_bytes += visibility_->device_bytes();
     stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
     stats.extension_rays = totals.extension_rays;

@@ -11,6 +11,7 @@
 #include "shaders/kernels/accumulate.glsl.h"
 #include "shaders/kernels/aov.glsl.h"
 #include "shaders/kernels/generate.glsl.h"
+#include "shaders/kernels/place.glsl.h"
 
 #include <optional>
 
@@ -18,15 +19,18 @@ namespace ajar {
 
 class RenderJob {
   public:
-    // `visibility`: for a light sampler that needs it, learned first if it is not yet.
+    // `visibility`: for a light sampler that needs it, learned first if it is not yet. `elements`: where
+    // paths begin, the image then has a pixel for each, in rows; none: at the camera.
     RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
-              const RenderSettings& settings, LearnedVisibility* visibility);
+              const RenderSettings& settings, LearnedVisibility* visibility,
+              std::span<const shared::SurfaceElement> elements = {});
 
     RenderOutput run(const ProgressSink& progress);
 
   private:
     gpu::Specialization specialization() const;
     std::uint32_t trace_shares() const;
+    void add_begin(Steps& steps) const;
     void add_steps();
     void write_frame(std::uint32_t seed, std::uint32_t sequence_samples);
     bool learn(const ProgressSink& progress);
@@ -50,7 +54,9 @@ class RenderJob {
     const GpuScene& gpu_scene_;
     LearnedVisibility* visibility_; // none: the light sampler needs none
     IntegratorContext context_;
-    gpu::Kernel<shared::GenerateArgs> generate_;
+    gpu::Buffer elements_;
+    std::optional<gpu::Kernel<shared::PlaceArgs>> place_;       // where there are elements
+    std::optional<gpu::Kernel<shared::GenerateArgs>> generate_; // where there are none
     gpu::Kernel<shared::AccumulateArgs> accumulate_;
     std::optional<gpu::Kernel<shared::AovArgs>> aov_;
     std::unique_ptr<Integrator> integrator_;

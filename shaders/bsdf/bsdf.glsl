@@ -42,6 +42,9 @@ Bsdf bsdf_make(MaterialPoint m) {
     return b;
 }
 
+// Lambert's, albedo 1.
+Bsdf bsdf_white() { return Bsdf(vec3(1.0), vec3(0.0), 0.0, 0.0, 0.0, 1.0); }
+
 bool bsdf_is_mirror(Bsdf b) { return has_feature(FEATURE_DELTA) && b.alpha < DELTA_ALPHA; }
 
 // Probability of sampling S rather than the diffuse lobe: their albedos, roughly. The rougher, the less a

@@ -13,15 +13,18 @@
 
 layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
 
+const uint TASK = OPTION & ~SHADE_WHITE;
+const bool WHITE = (OPTION & SHADE_WHITE) != 0u;
+
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
 LightPick pick_light(Vertex v, float u) {
-    if (OPTION == SHADE_LIGHT) return LightPick(args.light, 1.0, u, 0.0);
+    if (TASK == SHADE_LIGHT) return LightPick(args.light, 1.0, u, 0.0);
     return light_sampler_pick(v.surface.departure, light_sampler_normal(v.surface.ng), u);
 }
 
 // A shadow ray to one light. False when nothing can come of it.
 bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
-    if (OPTION == SHADE_LIGHT) dimension += DIM_PER_LIGHT * (args.light + 1u);
+    if (TASK == SHADE_LIGHT) dimension += DIM_PER_LIGHT * (args.light + 1u);
     vec2 u = sampler_2d(points, dimension + DIM_LIGHT);
     LightPick pick = pick_light(v, u.x);
     u.x = light_pick_rest(pick, sampler_1d(points, dimension + DIM_LIGHT_DIGITS));
@@ -38,7 +41,7 @@ bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out
     ray.contribution = path.beta * value.f * light.radiance * (cosine * weight / max(light_pdf, 1e-37));
     ray.home = path.home;
     ray.instance = path.instance;
-    if (OPTION == SHADE_LEARN)
+    if (TASK == SHADE_LEARN)
         ray.counter = visibility_counter(
             visibility_cell(v.surface.departure, light_sampler_normal(v.surface.ng)),
             light_tree_trail(pick.light));
@@ -53,7 +56,7 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     path.origin = v.surface.departure;
     path.leaves = path.triangle;
     path.pdf = next.delta ? 0.0 : next.pdf;
-    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && OPTION != SHADE_SCATTER)
+    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
         path_normal_store(path.home, octahedral_encode(v.surface.ng));
     path.beta *= next.weight;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
@@ -70,7 +73,7 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
     bool alive = false;
     vec3 beta = path.beta;
     vec3 emission;
-    const bool every = OPTION == SHADE_SCATTER;
+    const bool every = TASK == SHADE_SCATTER;
     PathState arrived = path;
     vec3 left = met_normal(path);
     float limit = LIGHT_FAR;
@@ -78,18 +81,20 @@ bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
         emission = met_environment(path, left, every);
     } else {
         Vertex v = vertex_at(path);
+        if (WHITE) v.bsdf = bsdf_white();
         emission = met_surface(path, left, v, every);
         limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
-        bool lit = !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
+        bool lit = WHITE || !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
             Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
-            if (STRATEGY != STRATEGY_BSDF && OPTION != SHADE_SCATTER)
+            if (STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
                 connects = connect_light(path, v, points, dimension, ray);
             alive = scatter(path, v, points, dimension);
         }
     }
-    if (OPTION == SHADE_LIGHT) return false;
+    if (TASK == SHADE_LIGHT) return false;
+    if (WHITE) return alive;
     if (has_feature(FEATURE_SOFT_LIGHTS))
         emission += met_soft_lights(arrived, left, limit, args.segments.bounce == 0u, every);
     if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
@@ -110,20 +115,20 @@ void main() {
         bool connects = false;
         bool alive = false;
         if (i < count) alive = shade(path, ray, connects);
-        if (OPTION != SHADE_LIGHT) {
+        if (TASK != SHADE_LIGHT) {
             Scan survivors = scan_keepers(alive);
             path_store(first + kept + scan_place(survivors, alive), path);
             kept += survivors.total;
         }
-        if (OPTION == SHADE_SCATTER) continue;
+        if (TASK == SHADE_SCATTER) continue;
         Scan connections = scan_keepers(connects);
         uint slot = first + shadows + scan_place(connections, connects);
         shadow_ray_store(slot, ray);
-        if (OPTION == SHADE_LEARN) shadow_ray_counter_store(slot, ray.counter);
+        if (TASK == SHADE_LEARN) shadow_ray_counter_store(slot, ray.counter);
         shadows += connections.total;
     }
     if (gl_LocalInvocationID.x == 0u) {
-        if (OPTION != SHADE_LIGHT) segments[segment].paths = kept;
+        if (TASK != SHADE_LIGHT) segments[segment].paths = kept;
         segments[segment].shadows = shadows;
     }
 }

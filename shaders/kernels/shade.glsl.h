@@ -12,6 +12,8 @@
 // SPEC_OPTION: SHADE_WHOLE does all of this. For a shadow ray to every light instead of a picked one, a
 // dispatch of SHADE_LIGHT for each makes its shadow rays and leaves paths and emission alone; SHADE_SCATTER
 // does the rest. SHADE_LEARN does all, and notes with each shadow ray where connect is to count it.
+// With SHADE_WHITE, for paths that begin on surfaces (place.glsl.h), the surface is a white Lambertian whose
+// own emission does not count: beta is then irradiance / pi.
 #ifndef AJAR_SHADE_GLSL_H
 #define AJAR_SHADE_GLSL_H
 #include "../shared/segment_args.glsl.h"
@@ -21,6 +23,7 @@ const uint SHADE_WHOLE = 0;
 const uint SHADE_LIGHT = 1;
 const uint SHADE_SCATTER = 2;
 const uint SHADE_LEARN = 3;
+const uint SHADE_WHITE = 4; // added to one of those
 
 struct ShadeArgs {
     SegmentArgs segments;

@@ -1,5 +1,6 @@
 // Whole renders whose every pixel has a closed form: light by lights of all kinds on planes and spheres.
 #include "render_test.hpp"
+#include "support/lambert.hpp"
 #include "support/statistics.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -39,19 +40,6 @@ RayRadiance near_axis(double height, RayRadiance radiance) {
         const bool ahead = glm::dot(p - ray.origin, ray.direction) > 0;
         return ahead && p.x * p.x + p.z * p.z < 6.25 ? radiance(ray) : std::nullopt;
     };
-}
-
-// Irradiance from a polygon of unit radiance, wholly above the horizon of `normal` (Lambert 1760): half the
-// sum over the edges of the angle each subtends times the cosine between `normal` and its plane's normal.
-double polygon_irradiance(const std::vector<glm::dvec3>& corners, const glm::dvec3& at,
-                          const glm::dvec3& normal) {
-    double sum = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const glm::dvec3 a = glm::normalize(corners[i] - at);
-        const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - at);
-        sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
-    }
-    return 0.5 * std::abs(sum);
 }
 
 TEST_F(ExactAnswers, APointLightOverAPlaneFallsWithTheSquareOfTheDistance) {

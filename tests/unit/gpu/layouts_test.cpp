@@ -12,8 +12,10 @@
 #include "shaders/kernels/generate.glsl.h"
 #include "shaders/kernels/naive.glsl.h"
 #include "shaders/kernels/normals.glsl.h"
+#include "shaders/kernels/place.glsl.h"
 #include "shaders/kernels/shade.glsl.h"
 #include "shaders/shared/bvh.glsl.h"
+#include "shaders/shared/element.glsl.h"
 #include "shaders/shared/film.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/geometry.glsl.h"
@@ -110,6 +112,8 @@ const Field FIELDS[] = {
     F(SegmentCounts, paths), F(SegmentCounts, shadows), F(SegmentCounts, rays_traced),
     F(SegmentCounts, shadows_traced), F(SegmentCounts, shadows_open), F(SegmentCounts, loops_exhausted),
     F(SegmentCounts, pad),
+    F(SurfaceElement, triangle), F(SurfaceElement, flags), F(SurfaceElement, origin),
+    F(SurfaceElement, edge_a), F(SurfaceElement, edge_b),
     F(SegmentArgs, segment_count), F(SegmentArgs, first_segment), F(SegmentArgs, segment_stride),
     F(SegmentArgs, bounce), F(SegmentArgs, path_count), F(SegmentArgs, first_ordinal),
     F(SegmentArgs, chunk_ordinal), F(SegmentArgs, samples_log2), F(SegmentArgs, first_sample),
@@ -122,6 +126,7 @@ const Field FIELDS[] = {
     F(GenerateArgs, segments),
     F(NaiveArgs, segments),
     F(NormalsArgs, segments),
+    F(PlaceArgs, elements), F(PlaceArgs, segments), F(PlaceArgs, pad),
     F(ShadeArgs, segments), F(ShadeArgs, light),
 };
 // clang-format on

@@ -21,6 +21,7 @@
 #include "kernels/generate.glsl.h"
 #include "kernels/naive.glsl.h"
 #include "kernels/normals.glsl.h"
+#include "kernels/place.glsl.h"
 #include "kernels/shade.glsl.h"
 
 #define MENTION(T) layout(set = 0, binding = BIND_PATHS, scalar) buffer Block##T { T at[]; } block_##T;
@@ -45,6 +46,7 @@ MENTION(TextureRecord)
 MENTION(PathState)
 MENTION(ShadowRay)
 MENTION(SegmentCounts)
+MENTION(SurfaceElement)
 MENTION(SegmentArgs)
 MENTION(AccumulateArgs)
 MENTION(AlbedoArgs)
@@ -55,6 +57,7 @@ MENTION(ExtendArgs)
 MENTION(GenerateArgs)
 MENTION(NaiveArgs)
 MENTION(NormalsArgs)
+MENTION(PlaceArgs)
 MENTION(ShadeArgs)
 
 #define USE(T) +block_##T.at.length()
@@ -64,8 +67,9 @@ void main() {
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
         USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode) USE(VisibilityCount)
         USE(MaterialRecord) USE(TextureRecord)
-        USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SegmentArgs) USE(AccumulateArgs)
+        USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SurfaceElement) USE(SegmentArgs)
+        USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
-        USE(NaiveArgs) USE(NormalsArgs) USE(ShadeArgs);
+        USE(NaiveArgs) USE(NormalsArgs) USE(PlaceArgs) USE(ShadeArgs);
     block_Texel.at[0].rgba8 = uint(total);
 }
