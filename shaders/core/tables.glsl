@@ -16,6 +16,7 @@ layout(set = 0, binding = BIND_TEXELS) uniform samplerBuffer texels_texels;
 layout(set = 0, binding = BIND_LIGHTS) uniform usamplerBuffer lights_texels;
 layout(set = 0, binding = BIND_ENVIRONMENT) uniform usamplerBuffer environment_texels;
 layout(set = 0, binding = BIND_VISIBILITY) uniform usamplerBuffer visibility_texels;
+layout(set = 0, binding = BIND_PATCHES) uniform usamplerBuffer patches_texels;
 
 uvec4 fetch_node(uint i) {
     if (TEXEL_BUFFERS != 0u) return texelFetch(nodes_texels, int(i));
@@ -52,6 +53,10 @@ uvec4 fetch_light(uint i) {
 uvec4 fetch_environment(uint i) {
     if (TEXEL_BUFFERS != 0u) return texelFetch(environment_texels, int(i));
     return frame.environment.at[i].value;
+}
+uvec4 fetch_patch(uint i) {
+    if (TEXEL_BUFFERS != 0u) return texelFetch(patches_texels, int(i));
+    return frame.patches.at[i].value;
 }
 
 #endif

@@ -33,14 +33,16 @@ const uint BIND_LIGHTS = 15;      // LightRecord and the light samplers' tables
 const uint BIND_ENVIRONMENT = 16; // radiance and distribution of the environment map
 // And what was learned about them (light_visibility.glsl.h).
 const uint BIND_VISIBILITY = 17;
+// And its patches with what radiosity found for them (patch.glsl.h).
+const uint BIND_PATCHES = 18;
 const uint BIND_TABLE_FIRST = BIND_NODES;
 const uint BIND_TABLE_LAST = BIND_ENVIRONMENT;
 const uint TABLE_COUNT = 8;
 const uint BIND_TEXEL_FIRST = BIND_PATHS_READ;
-const uint BIND_TEXEL_LAST = BIND_VISIBILITY;
-const uint TEXEL_BINDING_COUNT = 12;
+const uint BIND_TEXEL_LAST = BIND_PATCHES;
+const uint TEXEL_BINDING_COUNT = 13;
 
-const uint BIND_COUNT = 18;
+const uint BIND_COUNT = 19;
 
 DUAL_END
 #endif

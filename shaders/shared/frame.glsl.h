@@ -37,7 +37,7 @@ struct FrameRecord {
     DiagnosticsPtr diagnostics;
     TableWordPtr visibility;
     VisibilityCountPtr visibility_counts;
-    uint pad_pointer[2];
+    TableWordPtr patches;
 
     vec3 camera_origin;          // world, metres
     // Perspective: tan of half the horizontal angle; orthographic: half width, metres
@@ -79,8 +79,10 @@ struct FrameRecord {
     uint sequence_log2;          // blue noise: the sequence has 2^sequence_log2 samples a pixel
     uint soft_first;             // the first LightRecord that a ray must be tried against (light.glsl.h)
     uint soft_count;
+    uint patch_nodes_first;      // texel in BIND_PATCHES: PatchNodes; roots by triangle come before them
+    uint patch_sides_first;      // texel in BIND_PATCHES: PatchSides
 };
-DUAL_SIZE(FrameRecord, 320);
+DUAL_SIZE(FrameRecord, 328);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;

@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> DOORS = {
     {"import", {"scene", "image", "base"}},
     {"export", {"scene", "image", "base"}},
     {"render", {"bvh", "gpu", "scene", "image", "base"}},
-    {"radiosity", {"bvh", "gpu", "scene", "image", "base"}},
+    {"radiosity", {"render", "bvh", "gpu", "scene", "image", "base"}},
     {"ajar", {"import", "radiosity", "render", "bvh", "gpu", "scene", "image", "base"}},
     {"cli", {"ajar", "import", "radiosity", "render", "scene", "image", "base"}},
     {"serve", {"ajar", "import", "radiosity", "render", "scene", "image", "base"}},

@@ -22,6 +22,7 @@
 #include "shaders/shared/light.glsl.h"
 #include "shaders/shared/light_tree.glsl.h"
 #include "shaders/shared/material.glsl.h"
+#include "shaders/shared/patch.glsl.h"
 #include "shaders/shared/path.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
 
@@ -70,7 +71,7 @@ const Field FIELDS[] = {
     F(FrameRecord, nodes), F(FrameRecord, triangles), F(FrameRecord, surfaces), F(FrameRecord, instances),
     F(FrameRecord, materials), F(FrameRecord, texels), F(FrameRecord, lights), F(FrameRecord, environment),
     F(FrameRecord, pixel_order), F(FrameRecord, aovs), F(FrameRecord, diagnostics),
-    F(FrameRecord, visibility), F(FrameRecord, visibility_counts), F(FrameRecord, pad_pointer),
+    F(FrameRecord, visibility), F(FrameRecord, visibility_counts), F(FrameRecord, patches),
     F(FrameRecord, camera_origin), F(FrameRecord, camera_scale_x),
     F(FrameRecord, camera_right), F(FrameRecord, camera_scale_y), F(FrameRecord, camera_up),
     F(FrameRecord, width), F(FrameRecord, camera_back), F(FrameRecord, height), F(FrameRecord, seed),
@@ -84,6 +85,7 @@ const Field FIELDS[] = {
     F(FrameRecord, distant_irradiance), F(FrameRecord, tree_first), F(FrameRecord, tree_nodes),
     F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, sequence_log2),
     F(FrameRecord, soft_first), F(FrameRecord, soft_count),
+    F(FrameRecord, patch_nodes_first), F(FrameRecord, patch_sides_first),
     F(SurfaceRecord, normal), F(SurfaceRecord, material), F(SurfaceRecord, uv0), F(SurfaceRecord, light),
     F(SurfaceRecord, object),
     F(SurfaceExtension, uv1), F(SurfaceExtension, tangent), F(SurfaceExtension, tangent_sign),
@@ -103,6 +105,8 @@ const Field FIELDS[] = {
     F(MaterialRecord, normal_texture), F(MaterialRecord, emission_texture),
     F(TextureRecord, first_texel), F(TextureRecord, width), F(TextureRecord, height), F(TextureRecord, flags),
     F(TextureRecord, uv_row_u), F(TextureRecord, pad0), F(TextureRecord, uv_row_v), F(TextureRecord, pad1),
+    F(PatchNode, child), F(PatchNode, edge), F(PatchNode, pad),
+    F(PatchSide, radiance), F(PatchSide, irradiance),
     F(PathState, origin), F(PathState, home), F(PathState, direction), F(PathState, leaves),
     F(PathState, beta), F(PathState, pdf), F(PathState, triangle), F(PathState, instance),
     F(PathState, u), F(PathState, v),

@@ -11,6 +11,7 @@
 #include "shared/light.glsl.h"
 #include "shared/light_tree.glsl.h"
 #include "shared/material.glsl.h"
+#include "shared/patch.glsl.h"
 #include "shared/path.glsl.h"
 #include "kernels/accumulate.glsl.h"
 #include "kernels/albedo.glsl.h"
@@ -43,6 +44,8 @@ MENTION(LightTreeNode)
 MENTION(VisibilityCount)
 MENTION(MaterialRecord)
 MENTION(TextureRecord)
+MENTION(PatchNode)
+MENTION(PatchSide)
 MENTION(PathState)
 MENTION(ShadowRay)
 MENTION(SegmentCounts)
@@ -67,7 +70,8 @@ void main() {
         USE(TableWord) USE(Texel) USE(PixelIndex) USE(FrameRecord) USE(SurfaceRecord) USE(SurfaceExtension)
         USE(InstanceRecord) USE(LightRecord) USE(AliasEntry) USE(LightTreeNode) USE(VisibilityCount)
         USE(MaterialRecord) USE(TextureRecord)
-        USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SurfaceElement) USE(SegmentArgs)
+        USE(PatchNode) USE(PatchSide) USE(PathState) USE(ShadowRay) USE(SegmentCounts) USE(SurfaceElement)
+        USE(SegmentArgs)
         USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
         USE(NaiveArgs) USE(NormalsArgs) USE(PlaceArgs) USE(ShadeArgs);
