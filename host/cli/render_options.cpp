@@ -1,41 +1,19 @@
 #include "cli/render_options.hpp"
 
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace ajar::cli {
 
 namespace {
 
 constexpr std::uint32_t MAX_SIDE = 65536; // pixels; whether the film fits is for the device to say
-constexpr double HUGE_NUMBER = std::numeric_limits<float>::max();
-
-// A finite number from `low` to `high`; without a description, which CLI11 would put into the help's option
-// names.
-CLI::Validator number(double low, double high) {
-    return CLI::Validator(
-        [low, high](const std::string& text) {
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            if (!text.empty() && *end == '\0' && value >= low && value <= high) return std::string();
-            if (high == HUGE_NUMBER && low == -HUGE_NUMBER)
-                return fmt::format("'{}' is not a finite number", text);
-            if (high == HUGE_NUMBER) return fmt::format("'{}' is not a number of at least {}", text, low);
-            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
-        },
-        "");
-}
-
-CLI::Validator count(std::uint32_t low, std::uint32_t high = std::numeric_limits<std::uint32_t>::max()) {
-    return number(low, high);
-}
 
 void set_size(RenderSettings& settings, const std::string& text) {
     const char* const end = text.data() + text.size();
@@ -191,10 +169,18 @@ void declare_method(CLI::App& app, RenderOptions& o) {
 }
 
 void declare_scene(CLI::App& app, RenderOptions& o) {
-    const std::string group = "Scene";
     app.add_option("--camera", o.settings.camera, "Default: the scene's first; a file without any is framed")
         ->type_name("NAME|INDEX")
-        ->group(group);
+        ->group("Scene");
+    declare_light(app, o);
+    app.get_option("--background")
+        ->description(
+            "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets "
+            "a soft grey studio)");
+}
+
+void declare_light(CLI::App& app, RenderOptions& o) {
+    const std::string group = "Scene";
     app.add_option("--scene", o.load.scene, "Which of the file's scenes (default: the file's own choice)")
         ->type_name("NAME|INDEX")
         ->group(group);
@@ -212,8 +198,7 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets a soft "
-           "grey studio)")
+           "Radiance where there is no map (default 0,0,0)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(

@@ -29,7 +29,7 @@ void expect_usage_error(const std::vector<std::string>& arguments, const std::st
 } // namespace
 
 TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
-    for (const char* command : {"render", "lab", "compare", "info", "devices"}) {
+    for (const char* command : {"render", "bake", "lab", "compare", "info", "devices"}) {
         const Result result = run_ajar({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_EQ(result.err, "") << command;
@@ -45,12 +45,12 @@ TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
 TEST(Help, OfTheCommandItselfNamesTheOthers) {
     const Result result = run_ajar({"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* command : {"\n  render ", "\n  lab ", "\n  compare ", "\n  info ", "\n  devices "})
+    for (const char* command : {"\n  render ", "\n  bake ", "\n  lab ", "\n  compare ", "\n  info ", "\n  devices "})
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 
 TEST(Help, FitsEightyColumns) {
-    for (const char* command : {"render", "lab", "compare", "info", "devices"})
+    for (const char* command : {"render", "bake", "lab", "compare", "info", "devices"})
         for (const std::string& line : lines(run_ajar({command, "--help"}).out))
             EXPECT_LE(line.size(), 80u) << line;
 }

@@ -1,0 +1,35 @@
+// How bright baked light is, against what can be stored: 8 bits, and vertex colours up to 1.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace ajar {
+
+class Brightness {
+  public:
+    // Scaled by 2^exposure and cut to [0, 1]. `reflected` and `emitted` are radiance; that emitters are cut
+    // is no loss, as they would be in any picture of that exposure.
+    glm::vec3 stored(const glm::vec3& reflected, const glm::vec3& emitted, float exposure) {
+        const float scale = std::exp2(exposure);
+        const float most = scale * std::max({reflected.x, reflected.y, reflected.z});
+        ++count_;
+        if (most > 1) ++clipped_;
+        most_ = std::max(most_, most);
+        return glm::clamp(scale * (reflected + emitted), 0.0f, 1.0f);
+    }
+
+    double clipped_share() const {
+        return count_ == 0 ? 0 : static_cast<double>(clipped_) / static_cast<double>(count_);
+    }
+    // To be added to the exposure so that nothing is cut.
+    double stops_too_bright() const { return most_ > 1 ? std::log2(static_cast<double>(most_)) : 0; }
+
+  private:
+    std::uint64_t count_ = 0, clipped_ = 0;
+    float most_ = 0;
+};
+
+} // namespace ajar
