@@ -56,7 +56,7 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, const GpuScene
     std::optional<Environment> environment = scene.environment;
     if (!environment && options.background != glm::vec3(0)) environment.emplace().scale = options.background;
     place_environment(environment, host);
-    build_lights(scene, environment, host);
+    build_lights(scene, environment, host, options.dark_triangles);
     upload(device, host);
     triangle_sources_ = std::move(host.geometry.sources);
 }
@@ -100,9 +100,11 @@ void GpuScene::place_environment(const std::optional<Environment>& chosen, Host&
     frame_.environment_sin = std::sin(environment.rotation);
 }
 
-void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host) {
+void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host,
+                            bool dark_triangles) {
     const std::vector<EmissiveSphere> spheres = collect_emissive_spheres(scene);
-    const std::vector<EmissiveTriangle> emitters = collect_emissive_triangles(scene, host.geometry, spheres);
+    std::vector<EmissiveTriangle> emitters;
+    if (!dark_triangles) emitters = collect_emissive_triangles(scene, host.geometry, spheres);
     const auto light_of = [&](std::size_t triangle) -> std::uint32_t& {
         return host.geometry
             .surfaces[triangle * host.geometry.surface_words + offsetof(SurfaceRecord, light) / 4];
@@ -115,12 +117,13 @@ void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>
     std::vector<bool> is_sphere(scene.instances.size());
     for (const EmissiveSphere& sphere : spheres) is_sphere[sphere.instance] = true;
     for (std::uint32_t k = 0; k < host.geometry.world_triangles; ++k)
-        if (is_sphere[host.geometry.sources[k].instance]) light_of(k) = LIGHT_ELSEWHERE;
+        if (dark_triangles || is_sphere[host.geometry.sources[k].instance]) light_of(k) = LIGHT_ELSEWHERE;
     Scene lighting; // what the table looks at
     lighting.lights = scene.lights;
     lighting.environment = environment;
     host.lights = build_light_table(lighting, emitters, frame_.scene_radius, spheres);
     features_ |= host.lights.features;
+    if (dark_triangles) features_ |= FEATURE_SOFT_LIGHTS; // heeds LIGHT_ELSEWHERE
     host.lights.describe(frame_);
     light_tree_seconds_ = host.lights.tree.seconds;
 }

@@ -18,6 +18,7 @@ struct GpuSceneOptions {
     bool cull_backfaces = false;
     glm::vec3 background{0, 0, 0}; // a constant environment where the scene has none; radiance
     std::uint64_t bake_below_triangles = 1u << 20; // see GeometryOptions
+    bool dark_triangles = false;                   // no triangle emits; other lights, spheres among them, do
     bool operator==(const GpuSceneOptions&) const = default;
 };
 
@@ -50,7 +51,8 @@ class GpuScene {
     struct Host; // the tables before they are uploaded
     void build_geometry(const Scene& scene, const GpuSceneOptions& options, Host& host);
     void place_environment(const std::optional<Environment>& environment, Host& host);
-    void build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host);
+    void build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host,
+                      bool dark_triangles);
     void upload(const gpu::Device& device, const Host& host);
 
     std::array<gpu::Buffer, shared::TABLE_COUNT> tables_; // by binding - BIND_TABLE_FIRST

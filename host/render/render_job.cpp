@@ -4,6 +4,7 @@
 #include "render/camera.hpp"
 #include "render/choices.hpp"
 #include "render/sample_sequence.hpp"
+#include "render/specialize.hpp"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <bit>
@@ -56,7 +57,8 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
                                         gpu_scene.frame().light_count,
                                         !elements.empty()},
       accumulate_(device, "accumulate", context_.specialization),
-      integrator_(find_integrator(settings.integrator).make(context_)), steps_(trace_shares()) {
+      integrator_(find_integrator(settings.integrator).make(context_)),
+      steps_(trace_shares(device, gpu_scene, pool_)) {
     if (!elements.empty()) {
         elements_ = gpu::Buffer(device, elements.size_bytes(), "surface elements");
         elements_.write(elements);
@@ -77,32 +79,9 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
 }
 
 gpu::Specialization RenderJob::specialization() const {
-    std::uint32_t features = gpu_scene_.features();
-    features = choose_triangle_sampling(settings_.triangle_sampling, features);
-    if (camera_.kind == CameraKind::orthographic) features |= FEATURE_ORTHOGRAPHIC;
+    const std::uint32_t features = camera_.kind == CameraKind::orthographic ? FEATURE_ORTHOGRAPHIC : 0;
     const bool fits = visibility_ == nullptr || visibility_->fits_texel_buffer(device_);
-    const bool texels = gpu_scene_.texel_buffers() != 0 && fits && !device_.options().force_pointers;
-    return {{SPEC_WORKGROUP_SIZE, device_.workgroup_size()},
-            {SPEC_SEGMENT_SIZE, pool_.segment_paths()},
-            {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u},
-            {SPEC_FEATURES, features},
-            {SPEC_PATH_TEXELS, pool_.read_by_texels(device_) ? 1u : 0u},
-            {SPEC_STACK_REGISTERS, gpu_scene_.stack_registers()},
-            {SPEC_STRATEGY, find_strategy(settings_.strategy)},
-            {SPEC_HEURISTIC, find_heuristic(settings_.heuristic)},
-            {SPEC_LIGHT_SAMPLER, find_light_sampler(settings_.light_sampler)},
-            {SPEC_TRACE_SHARES, trace_shares()},
-            {SPEC_SAMPLER, find_sampler(settings_.sampler)}};
-}
-
-// A driver ends all loops of an invocation after 65,535 iterations (lavapipe of Mesa 22.3), and rays through
-// foliage take many: with 64 a thread, none too many through 40,000 triangles with holes, a hundredth of the
-// rays through 400,000. More workgroups cost more, as most are idle where few paths are left.
-std::uint32_t RenderJob::trace_shares() const {
-    const std::uint64_t triangles = gpu_scene_.unsure_triangles();
-    const std::uint32_t rays = triangles < 1u << 16 ? 64 : triangles < 1u << 19 ? 32 : 16; // a thread
-    if (triangles == 0) return 1;
-    return std::max(pool_.segment_paths() / (device_.workgroup_size() * rays), 1u);
+    return specialize(device_, gpu_scene_, pool_, settings_, features, fits);
 }
 
 void RenderJob::add_begin(Steps& steps) const {
@@ -146,7 +125,7 @@ bool RenderJob::learn(const ProgressSink& progress) {
     constexpr std::uint32_t PATHS = 1u << 19;
     constexpr std::uint32_t OTHER_SEED = 0x6c656172; // "lear"
     const Clock::time_point start = Clock::now();
-    Steps steps(trace_shares());
+    Steps steps(trace_shares(device_, gpu_scene_, pool_));
     add_begin(steps);
     integrator_->add_learning_steps(steps);
     const std::uint32_t samples = std::bit_floor(std::max(PATHS / film_.pixel_count(), 1u));

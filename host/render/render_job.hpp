@@ -29,7 +29,6 @@ class RenderJob {
 
   private:
     gpu::Specialization specialization() const;
-    std::uint32_t trace_shares() const;
     void add_begin(Steps& steps) const;
     void add_steps();
     void write_frame(std::uint32_t seed, std::uint32_t sequence_samples);

@@ -4,13 +4,13 @@
 #include "base/clock.hpp"
 #include "base/error.hpp"
 #include "render/choices.hpp"
+#include "render/element_radiance.hpp"
 #include "render/render_job.hpp"
 #include "render/sample_sequence.hpp"
 #include "shaders/shared/light.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/constants.hpp>
 #include <optional>
 
 namespace ajar {
@@ -26,20 +26,6 @@ void check(const RenderSettings& s) {
     sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
-}
-
-// Picture `image` of elements, a pixel each.
-ElementRadiance element_radiance(const RenderOutput& output, std::size_t count, float scale) {
-    ElementRadiance result;
-    result.stats = output.stats;
-    const std::vector<float>& mean = output.image.find("")->pixels;
-    const std::vector<float>& variance = output.image.find("variance")->pixels;
-    for (std::size_t i = 0; i < count; ++i) {
-        result.irradiance.push_back(scale * glm::vec3(mean[4 * i], mean[4 * i + 1], mean[4 * i + 2]));
-        result.variance.push_back(scale * scale *
-                                  glm::vec3(variance[3 * i], variance[3 * i + 1], variance[3 * i + 2]));
-    }
-    return result;
 }
 
 } // namespace
@@ -110,30 +96,15 @@ RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink
 
 ElementRadiance Renderer::irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
                                      const ProgressSink& progress) {
+    check(settings);
     RenderSettings used = settings;
     used.bake_below_triangles = UINT64_MAX; // elements name triangles of the world
-    used.aovs = false;
-    used.camera.clear();
-    used.width = used.height = 1;
-    check(used);
-    if (!find_integrator(used.integrator).from_surfaces)
-        throw Error(fmt::format("integrator '{}': its paths begin at the camera alone (use path, direct or "
-                                "ao)",
-                                used.integrator));
     impl_->prepare(used);
-    if (elements.empty()) return {};
     const SurfaceIndex index(impl_->scene, impl_->gpu_scene->triangle_sources());
     std::vector<shared::SurfaceElement> on_device;
     for (const SceneElement& element : elements) on_device.push_back(index.element(element));
-    // What is learned depends on where paths begin.
-    std::optional<LearnedVisibility> visibility;
-    if (find_light_sampler(used.light_sampler) == shared::LIGHT_SAMPLER_VISIBILITY)
-        visibility.emplace(impl_->device);
-    RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, used, visibility ? &*visibility : nullptr,
-                  on_device);
-    const bool occlusion = used.integrator == "ao";
     ElementRadiance result =
-        element_radiance(job.run(progress), elements.size(), occlusion ? 1.0f : glm::pi<float>());
+        trace_elements(impl_->device, impl_->scene, *impl_->gpu_scene, on_device, used, progress);
     result.stats.prepare_seconds = impl_->prepare_seconds;
     return result;
 }

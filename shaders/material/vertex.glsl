@@ -41,7 +41,7 @@ vec3 vertex_emission(Vertex v) {
     bool faces = !v.surface.back_face || (v.material.flags & MATERIAL_DOUBLE_SIDED) != 0u;
     vec3 radiance = faces && v.surface.emits ? v.material.emission : vec3(0.0);
     bool unlit = has_feature(FEATURE_UNLIT) && (v.material.flags & MATERIAL_UNLIT) != 0u;
-    return unlit ? v.material.base_color.rgb : radiance;
+    return unlit && v.surface.emits ? v.material.base_color.rgb : radiance;
 }
 
 #endif

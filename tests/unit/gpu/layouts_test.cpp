@@ -7,13 +7,20 @@
 #include "shaders/kernels/albedo.glsl.h"
 #include "shaders/kernels/ao.glsl.h"
 #include "shaders/kernels/aov.glsl.h"
+#include "shaders/kernels/average.glsl.h"
 #include "shaders/kernels/connect.glsl.h"
 #include "shaders/kernels/extend.glsl.h"
 #include "shaders/kernels/generate.glsl.h"
+#include "shaders/kernels/measure.glsl.h"
 #include "shaders/kernels/naive.glsl.h"
 #include "shaders/kernels/normals.glsl.h"
 #include "shaders/kernels/place.glsl.h"
+#include "shaders/kernels/radiate.glsl.h"
+#include "shaders/kernels/receive.glsl.h"
 #include "shaders/kernels/shade.glsl.h"
+#include "shaders/kernels/shoot.glsl.h"
+#include "shaders/kernels/tally.glsl.h"
+#include "shaders/kernels/update.glsl.h"
 #include "shaders/shared/bvh.glsl.h"
 #include "shaders/shared/element.glsl.h"
 #include "shaders/shared/film.glsl.h"
@@ -24,6 +31,7 @@
 #include "shaders/shared/material.glsl.h"
 #include "shaders/shared/patch.glsl.h"
 #include "shaders/shared/path.glsl.h"
+#include "shaders/shared/radiosity.glsl.h"
 #include "shaders/shared/segment_args.glsl.h"
 
 #include <algorithm>
@@ -121,17 +129,35 @@ const Field FIELDS[] = {
     F(SegmentArgs, segment_count), F(SegmentArgs, first_segment), F(SegmentArgs, segment_stride),
     F(SegmentArgs, bounce), F(SegmentArgs, path_count), F(SegmentArgs, first_ordinal),
     F(SegmentArgs, chunk_ordinal), F(SegmentArgs, samples_log2), F(SegmentArgs, first_sample),
+    F(SideValue, rgb), F(SideValue, scalar), F(SideIndex, side), F(RowWord, sides),
+    F(RowTotals, rays_nowhere), F(RowTotals, rays_sky), F(RowsMeasure, max_rest),
+    F(RowsMeasure, max_value), F(RowsMeasure, rest_power), F(RowsMeasure, power),
+    F(RowsMeasure, max_rest_power), F(RowsMeasure, pad),
     F(AccumulateArgs, segments),
     F(AlbedoArgs, segments),
     F(AoArgs, segments),
     F(AovArgs, segments),
+    F(AverageArgs, elements), F(AverageArgs, emission), F(AverageArgs, reflectance),
+    F(AverageArgs, first_side), F(AverageArgs, side_count), F(AverageArgs, points), F(AverageArgs, pad),
     F(ConnectArgs, segments),
     F(ExtendArgs, segments),
     F(GenerateArgs, segments),
+    F(MeasureArgs, row_sides), F(MeasureArgs, reflectance), F(MeasureArgs, solution),
+    F(MeasureArgs, rest), F(MeasureArgs, measures), F(MeasureArgs, row_count), F(MeasureArgs, pad),
     F(NaiveArgs, segments),
     F(NormalsArgs, segments),
     F(PlaceArgs, elements), F(PlaceArgs, segments), F(PlaceArgs, pad),
+    F(RadiateArgs, elements), F(RadiateArgs, row_sides), F(RadiateArgs, segments), F(RadiateArgs, pad),
+    F(ReceiveArgs, rows), F(ReceiveArgs, row_sides), F(ReceiveArgs, from), F(ReceiveArgs, to),
+    F(ReceiveArgs, first_row), F(ReceiveArgs, row_count), F(ReceiveArgs, rays_log2), F(ReceiveArgs, pad),
     F(ShadeArgs, segments), F(ShadeArgs, light),
+    F(ShootArgs, row_sides), F(ShootArgs, reflectance), F(ShootArgs, rest), F(ShootArgs, shot),
+    F(ShootArgs, shooters), F(ShootArgs, threshold), F(ShootArgs, row_count),
+    F(TallyArgs, entries), F(TallyArgs, met), F(TallyArgs, totals), F(TallyArgs, segments),
+    F(TallyArgs, first_row), F(TallyArgs, rays_log2), F(TallyArgs, side_count),
+    F(UpdateArgs, row_sides), F(UpdateArgs, received), F(UpdateArgs, source),
+    F(UpdateArgs, reflectance), F(UpdateArgs, solution), F(UpdateArgs, rest), F(UpdateArgs, first_row),
+    F(UpdateArgs, row_count),
 };
 // clang-format on
 

@@ -1,0 +1,42 @@
+#include "radiosity/reciprocity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ajar {
+
+Reciprocity measure_reciprocity(const RadiosityRig& rig, FormFactors& factors, std::uint32_t rows) {
+    std::vector<std::uint32_t> row_of(rig.side_count());
+    for (std::uint32_t row = 0; row < factors.row_count(); ++row) row_of[factors.row_sides()[row]] = row;
+    const std::uint32_t samples = std::min(rows, factors.row_count());
+    const double rays = factors.rays();
+    Reciprocity result;
+    double differences = 0;
+    double variances = 0;
+    double means = 0;
+    for (std::uint32_t k = 0; k < samples; ++k) {
+        const auto row = static_cast<std::uint32_t>(std::uint64_t{k} * factors.row_count() / samples);
+        const std::uint32_t i = factors.row_sides()[row];
+        const std::vector<std::uint32_t> to = factors.entries(row);
+        const std::uint32_t j = to[0];
+        if (j >= rig.side_count()) continue;
+        const std::vector<std::uint32_t> back = factors.entries(row_of[j]);
+        const double f_ij = static_cast<double>(std::count(to.begin() + 1, to.end(), j)) / (rays - 1);
+        const double f_ji = static_cast<double>(std::count(back.begin(), back.end(), i)) / rays;
+        const double a_i = rig.mesh.patches[i / 2].area;
+        const double a_j = rig.mesh.patches[j / 2].area;
+        const double difference = std::abs(a_i * f_ij - a_j * f_ji);
+        ++result.pairs;
+        result.max = std::max(result.max, difference);
+        differences += difference * difference;
+        variances += a_i * a_i * f_ij * (1 - f_ij) / (rays - 1) + a_j * a_j * f_ji * (1 - f_ji) / rays;
+        means += 0.25 * (a_i * f_ij + a_j * f_ji) * (a_i * f_ij + a_j * f_ji);
+    }
+    if (!(means > 0)) return result;
+    result.rms = std::sqrt(differences / means);
+    result.expected = std::sqrt(variances / means);
+    result.max /= std::sqrt(means / static_cast<double>(result.pairs));
+    return result;
+}
+
+} // namespace ajar
