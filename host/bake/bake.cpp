@@ -1,6 +1,7 @@
 #include "bake/bake.hpp"
 
 #include "bake/lightmap.hpp"
+#include "bake/patch_light.hpp"
 #include "bake/vertex_colors.hpp"
 #include "base/error.hpp"
 
@@ -19,6 +20,8 @@ constexpr std::array TARGETS{
 };
 constexpr std::array METHODS{
     Choice{"path", "paths from the surfaces"},
+    Choice{"radiosity",
+           "a linear system over patches: quick and smooth, shadows as sharp as patches are small"},
 };
 
 template <std::size_t N>
@@ -56,7 +59,7 @@ class Baker {
   public:
     Baker(const gpu::Device& device, const Scene& scene, const BakeSettings& settings,
           const ProgressSink& progress, const WarningSink& warn)
-        : scene_(scene), settings_(settings), progress_(progress), warn_(warn),
+        : device_(device), scene_(scene), settings_(settings), progress_(progress), warn_(warn),
           renderer_(device, scene, warn) {}
 
     BakeOutput run() {
@@ -68,7 +71,9 @@ class Baker {
     }
 
   private:
-    // Light on elements, by path tracing; occlusion if that is asked for. Empty if no sample was done.
+    bool with_radiosity() const { return settings_.with == "radiosity" && settings_.to != "occlusion"; }
+
+    // Light on elements by path tracing; occlusion if that is asked for. Empty if no sample was done.
     std::vector<glm::vec3> gather(const std::vector<SceneElement>& elements) {
         RenderSettings settings = settings_.render;
         settings.integrator = settings_.to == "occlusion" ? "ao" : "path";
@@ -82,16 +87,44 @@ class Baker {
         return std::move(light.irradiance);
     }
 
+    RadiositySolution solve() {
+        RadiositySolution solution = solve_for_bake(device_, scene_, settings_, progress_, warn_);
+        const RadiosityStats& stats = solution.stats;
+        RenderStats& render = output_.stats.render;
+        render.settings = settings_.render;
+        render.samples = stats.settings.shadow_samples;
+        render.interrupted = stats.interrupted;
+        render.render_seconds =
+            stats.material_seconds + stats.form_factor_seconds + stats.direct_seconds + stats.solve_seconds;
+        render.extension_rays = stats.form_factor_rays;
+        render.invalid_samples = stats.invalid_samples;
+        render.exhausted_loops = stats.exhausted_loops;
+        output_.stats.elements = stats.patches;
+        return solution;
+    }
+
     void to_vertices() {
-        const PatchMesh mesh = PatchMesh::subdivide(scene_, {settings_.patch_size, settings_.patches});
+        RadiositySolution solution;
+        if (with_radiosity())
+            solution = solve();
+        else
+            solution.mesh = PatchMesh::subdivide(scene_, {settings_.patch_size, settings_.patches});
+        const PatchMesh& mesh = solution.mesh;
         if (mesh.patches.empty()) throw Error(NO_AREA);
-        warn_of_materials();
         const std::vector<SceneElement> elements = patch_elements(scene_, mesh);
-        const std::vector<glm::vec3> irradiance = gather(elements);
-        if (irradiance.empty()) return;
+        ElementLight light;
+        if (with_radiosity()) {
+            light.irradiance = front_irradiance(solution);
+            light.materials = front_materials(solution);
+        } else {
+            warn_of_materials();
+            light.irradiance = gather(elements);
+            if (light.irradiance.empty()) return;
+            light.materials = renderer_.materials(elements, settings_.render);
+        }
+        light.textures = texture_means(scene_, elements);
         Brightness brightness;
-        output_.scene = vertex_colored_scene(scene_, mesh, irradiance, surface_means(scene_, elements),
-                                             settings_.exposure, brightness);
+        output_.scene = vertex_colored_scene(scene_, mesh, light, settings_.exposure, brightness);
         note(brightness);
     }
 
@@ -103,24 +136,40 @@ class Baker {
         output_.stats.texels_per_metre = atlas.texels_per_metre;
         const std::vector<CoveredTexel> covered = covered_texels(atlas);
         const std::vector<SceneElement> elements = texel_elements(atlas, covered);
-        if (settings_.to == "occlusion") {
-            std::vector<std::string> without;
-            Scene unwrapped = unwrapped_scene_with_textures(scene_, atlas, without);
-            if (!without.empty() && warn_)
-                warn_(fmt::format("no occlusion for {}: both sets of texture coordinates are in use",
-                                  listed(without)));
-            const std::vector<glm::vec3> openness = gather(elements);
-            if (!openness.empty())
-                output_.scene = occluded_scene(std::move(unwrapped), atlas.side, covered, openness);
-            return;
+        if (settings_.to == "occlusion")
+            to_occlusion(atlas, covered, elements);
+        else
+            to_lightmap(atlas, covered, elements);
+    }
+
+    void to_occlusion(const Atlas& atlas, std::span<const CoveredTexel> covered,
+                      const std::vector<SceneElement>& elements) {
+        std::vector<std::string> without;
+        Scene unwrapped = unwrapped_scene_with_textures(scene_, atlas, without);
+        if (!without.empty() && warn_)
+            warn_(fmt::format("no occlusion for {}: both sets of texture coordinates are in use",
+                              listed(without)));
+        const std::vector<glm::vec3> openness = gather(elements);
+        if (!openness.empty())
+            output_.scene = occluded_scene(std::move(unwrapped), atlas.side, covered, openness);
+    }
+
+    void to_lightmap(const Atlas& atlas, std::span<const CoveredTexel> covered,
+                     const std::vector<SceneElement>& elements) {
+        ElementLight light;
+        if (with_radiosity()) {
+            light.irradiance = irradiance_at(scene_, solve(), elements);
+        } else {
+            warn_of_materials();
+            light.irradiance = gather(elements);
+            if (light.irradiance.empty()) return;
         }
-        warn_of_materials();
-        const std::vector<glm::vec3> irradiance = gather(elements);
-        if (irradiance.empty()) return;
+        light.materials = renderer_.materials(elements, settings_.render);
+        light.textures = texture_means(scene_, elements);
         Brightness brightness;
-        output_.scene = lightmapped_scene(unwrapped_scene(scene_, atlas), atlas.side, covered, irradiance,
-                                          surface_means(scene_, elements), settings_.exposure, brightness);
-        output_.irradiance = irradiance_image(atlas.side, covered, irradiance);
+        output_.scene = lightmapped_scene(unwrapped_scene(scene_, atlas), atlas.side, covered, light,
+                                          settings_.exposure, brightness);
+        output_.irradiance = irradiance_image(atlas.side, covered, light.irradiance);
         note(brightness);
     }
 
@@ -143,6 +192,7 @@ class Baker {
 
     static constexpr const char* NO_AREA = "none of its triangles has any area to bake light on";
 
+    const gpu::Device& device_;
     const Scene& scene_;
     const BakeSettings& settings_;
     const ProgressSink& progress_;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <numeric>
 
 namespace ajar {
@@ -159,11 +158,10 @@ Scene unwrapped_scene_with_textures(const Scene& scene, const Atlas& atlas,
 }
 
 Scene lightmapped_scene(Scene unwrapped, std::uint32_t side, std::span<const CoveredTexel> covered,
-                        std::span<const glm::vec3> irradiance, std::span<const SurfaceMean> means,
-                        float exposure, Brightness& brightness) {
+                        const ElementLight& light, float exposure, Brightness& brightness) {
     const std::vector<glm::vec4> values = whole_atlas(side, covered, [&](std::size_t i) {
-        const glm::vec3 reflected = means[i].reflectance * irradiance[i] / glm::pi<float>();
-        return glm::vec4(brightness.stored(reflected, means[i].emission, exposure), means[i].alpha);
+        return glm::vec4(brightness.stored(light.reflected(i), light.materials.emission[i], exposure),
+                         light.textures[i].alpha);
     });
     const bool has_alpha = std::any_of(unwrapped.materials.begin(), unwrapped.materials.end(),
                                        [](const Material& m) { return m.alpha_mode != AlphaMode::opaque; });

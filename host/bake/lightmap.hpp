@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bake/brightness.hpp"
-#include "bake/surface_means.hpp"
+#include "bake/element_light.hpp"
 #include "bake/texels.hpp"
 #include "image/image.hpp"
 
@@ -21,10 +21,9 @@ Scene unwrapped_scene_with_textures(const Scene& scene, const Atlas& atlas,
                                     std::vector<std::string>& without);
 
 // `unwrapped` unlit, with everything that is seen in one texture: reflected light, textures, emission. Cameras
-// stay, lights go. `irradiance` and `means` by covered texel.
+// stay, lights go. `light` by covered texel.
 Scene lightmapped_scene(Scene unwrapped, std::uint32_t side, std::span<const CoveredTexel> covered,
-                        std::span<const glm::vec3> irradiance, std::span<const SurfaceMean> means,
-                        float exposure, Brightness& brightness);
+                        const ElementLight& light, float exposure, Brightness& brightness);
 
 // W/m^2 by texel, gutter filled; R, G, B, and A = 1.
 Image irradiance_image(std::uint32_t side, std::span<const CoveredTexel> covered,

@@ -21,7 +21,7 @@ constexpr float DARKEST = 1e-3f;
 // the radiance there: reflectance and emission by the texture's own mean.
 class CornerFactors {
   public:
-    CornerFactors(const PatchMesh& mesh, const SmoothVertices& smooth, std::span<const SurfaceMean> means)
+    CornerFactors(const PatchMesh& mesh, const SmoothVertices& smooth, const ElementLight& light)
         : values_(3 * mesh.patches.size()) {
         // Means over the patches of one material around a smooth vertex.
         std::vector<std::pair<std::uint64_t, std::uint32_t>> corners;
@@ -37,9 +37,9 @@ class CornerFactors {
             for (end = first; end < corners.size() && corners[end].first == corners[first].first; ++end) {
                 const std::uint32_t p = corners[end].second / 3;
                 const float weight = mesh.patches[p].area;
-                const glm::vec3 texture = glm::max(means[p].texture, DARKEST);
-                sum.reflectance += weight * means[p].reflectance / texture;
-                sum.emission += weight * means[p].emission / texture;
+                const glm::vec3 texture = glm::max(light.textures[p].color, DARKEST);
+                sum.reflectance += weight * light.materials.reflectance[p] / texture;
+                sum.emission += weight * light.materials.emission[p] / texture;
                 area += weight;
             }
             for (std::size_t i = first; i < end; ++i)
@@ -161,14 +161,14 @@ std::vector<SceneElement> patch_elements(const Scene& scene, const PatchMesh& me
     return elements;
 }
 
-Scene vertex_colored_scene(const Scene& scene, const PatchMesh& mesh, std::span<const glm::vec3> irradiance,
-                           std::span<const SurfaceMean> means, float exposure, Brightness& brightness) {
+Scene vertex_colored_scene(const Scene& scene, const PatchMesh& mesh, const ElementLight& light,
+                           float exposure, Brightness& brightness) {
     const SmoothVertices smooth(mesh);
-    const CornerFactors factors(mesh, smooth, means);
+    const CornerFactors factors(mesh, smooth, light);
     std::vector<glm::vec3> by_side(2 * mesh.patches.size());
     std::vector<std::uint8_t> active(by_side.size());
     for (std::size_t p = 0; p < mesh.patches.size(); ++p) {
-        by_side[2 * p + shared::PATCH_FRONT] = irradiance[p];
+        by_side[2 * p + shared::PATCH_FRONT] = light.irradiance[p];
         active[2 * p + shared::PATCH_FRONT] = 1;
     }
     const std::vector<glm::vec3> at_vertices = smooth.mean(mesh, by_side, active);
@@ -199,9 +199,9 @@ Scene vertex_colored_scene(const Scene& scene, const PatchMesh& mesh, std::span<
             for (std::uint32_t k = 0; k < 3; ++k) {
                 corners[k] = vertex_of(scene, mesh, mesh.patches[p], static_cast<int>(k));
                 const CornerFactors::Factors& f = factors.at(p, k);
-                const glm::vec3 light = at_vertices[smooth.vertex(2 * p + shared::PATCH_FRONT, k)];
-                const glm::vec3 color =
-                    brightness.stored(f.reflectance * light / glm::pi<float>(), f.emission, exposure);
+                const glm::vec3 irradiance = at_vertices[smooth.vertex(2 * p + shared::PATCH_FRONT, k)];
+                const glm::vec3 color = brightness.stored(f.reflectance * irradiance / glm::pi<float>(),
+                                                          f.emission, exposure, light.textures[p].color);
                 corners[k].color = glm::vec4(color, corners[k].color.w);
             }
             builder.add_triangle(corners);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bake/brightness.hpp"
-#include "bake/surface_means.hpp"
+#include "bake/element_light.hpp"
 #include "radiosity/patch_mesh.hpp"
 
 namespace ajar {
@@ -10,9 +10,9 @@ namespace ajar {
 // The fronts of the patches as elements.
 std::vector<SceneElement> patch_elements(const Scene& scene, const PatchMesh& mesh);
 
-// `irradiance` and `means` by patch. Everything is in the world, an instance for each of the scene's; cameras
+// `light` by patch. Everything is in the world, an instance for each of the scene's; cameras
 // stay, lights go.
-Scene vertex_colored_scene(const Scene& scene, const PatchMesh& mesh, std::span<const glm::vec3> irradiance,
-                           std::span<const SurfaceMean> means, float exposure, Brightness& brightness);
+Scene vertex_colored_scene(const Scene& scene, const PatchMesh& mesh, const ElementLight& light,
+                           float exposure, Brightness& brightness);
 
 } // namespace ajar

@@ -69,6 +69,12 @@ struct ElementRadiance {
     RenderStats stats;
 };
 
+// Means over elements, by element, where their material is there at all.
+struct ElementMaterials {
+    std::vector<glm::vec3> emission;    // W/(m^2 sr), along the normal; of unlit materials what they show
+    std::vector<glm::vec3> reflectance; // share of diffuse light from all around that is reflected, 0 to 1
+};
+
 // A scene on a device, ready to be rendered with any settings.
 class Renderer {
   public:
@@ -89,6 +95,9 @@ class Renderer {
     // scene's triangles.
     ElementRadiance irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
                                const ProgressSink& progress = {});
+
+    // What the same elements are made of.
+    ElementMaterials materials(std::span<const SceneElement> elements, const RenderSettings& settings);
 
   private:
     struct Impl;

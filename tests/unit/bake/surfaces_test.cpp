@@ -38,6 +38,20 @@ glm::vec3 element_place(const Scene& scene, const SceneElement& e, glm::vec2 at)
            uv.y * place(scene, instance, t.z);
 }
 
+// Light on elements whose materials are Lambert's.
+ElementLight lit(const Scene& scene, const std::vector<SceneElement>& elements, const glm::vec3& irradiance) {
+    ElementLight light;
+    light.irradiance.assign(elements.size(), irradiance);
+    light.textures = texture_means(scene, elements);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const Mesh& mesh = scene.meshes[scene.instances[elements[i].instance].mesh];
+        const Material& m = scene.materials[mesh.triangle_materials[elements[i].triangle]];
+        light.materials.emission.push_back(m.emission);
+        light.materials.reflectance.push_back(glm::vec3(m.base_color) * light.textures[i].color);
+    }
+    return light;
+}
+
 TEST(PatchElements, LieWhereTheirPatchesLie) {
     for (const auto& [name, scene] : awkward_scenes()) {
         SCOPED_TRACE(name);
@@ -95,10 +109,9 @@ TEST(VertexColors, TimesTheTextureAreTheRadiance) {
     const Scene scene = textured_wall();
     const PatchMesh mesh = PatchMesh::subdivide(scene, {0, 100});
     const std::vector<SceneElement> elements = patch_elements(scene, mesh);
-    const std::vector<glm::vec3> light(elements.size(), glm::vec3(PI, 2 * PI, PI / 4));
+    const ElementLight light = lit(scene, elements, glm::vec3(PI, 2 * PI, PI / 4));
     Brightness brightness;
-    const Scene baked =
-        vertex_colored_scene(scene, mesh, light, surface_means(scene, elements), 0, brightness);
+    const Scene baked = vertex_colored_scene(scene, mesh, light, 0, brightness);
     validate(baked);
     EXPECT_TRUE(baked.lights.empty());
     EXPECT_EQ(baked.cameras.size(), 1u);
@@ -125,15 +138,15 @@ TEST(VertexColors, TimesTheTextureAreTheRadiance) {
 
 TEST(VertexColors, AreScaledByExposureAndCut) {
     SceneBuilder builder;
-    builder.square({0, 0, 0}, {0, 0, 1}, 1, builder.material(glowing_lambert({0.5f, 0.5f, 0.5f}, {0, 0.1f, 5})));
+    builder.square({0, 0, 0}, {0, 0, 1}, 1,
+                   builder.material(glowing_lambert({0.5f, 0.5f, 0.5f}, {0, 0.1f, 5})));
     builder.perspective({0, 0, 3}, {0, 0, 0}, 1);
     const Scene scene = builder.build();
     const PatchMesh mesh = PatchMesh::subdivide(scene, {0, 2});
     const std::vector<SceneElement> elements = patch_elements(scene, mesh);
-    const std::vector<glm::vec3> light(elements.size(), glm::vec3(8 * PI, PI, PI));
+    const ElementLight light = lit(scene, elements, glm::vec3(8 * PI, PI, PI));
     Brightness brightness;
-    const Scene baked =
-        vertex_colored_scene(scene, mesh, light, surface_means(scene, elements), -1, brightness);
+    const Scene baked = vertex_colored_scene(scene, mesh, light, -1, brightness);
     for (const glm::vec4& color : baked.meshes[0].colors) {
         EXPECT_EQ(color.x, 1); // half of 4
         EXPECT_NEAR(color.y, 0.5f * (0.5f + 0.1f), 1e-6f);
@@ -152,8 +165,7 @@ TEST(VertexColors, OfMirroredInstancesFaceAsTheyDid) {
     const PatchMesh mesh = PatchMesh::subdivide(scene, {0, 1000});
     const std::vector<SceneElement> elements = patch_elements(scene, mesh);
     Brightness brightness;
-    const Scene baked = vertex_colored_scene(scene, mesh, std::vector<glm::vec3>(elements.size()),
-                                             surface_means(scene, elements), 0, brightness);
+    const Scene baked = vertex_colored_scene(scene, mesh, lit(scene, elements, glm::vec3(0)), 0, brightness);
     const Mesh& ball = baked.meshes[0];
     for (const glm::uvec3& t : ball.triangles) {
         const glm::vec3 a = ball.positions[t.x];
@@ -172,11 +184,9 @@ TEST(Lightmap, HoldsRadianceAndAlphaAndTheImageIrradiance) {
     const Atlas atlas = make_atlas(make_charts(placed_triangles(scene)), side);
     const std::vector<CoveredTexel> covered = covered_texels(atlas);
     const std::vector<SceneElement> elements = texel_elements(atlas, covered);
-    const std::vector<glm::vec3> light(covered.size(), glm::vec3(PI, PI / 2, PI / 4));
+    const ElementLight light = lit(scene, elements, glm::vec3(PI, PI / 2, PI / 4));
     Brightness brightness;
-    const Scene baked =
-        lightmapped_scene(unwrapped_scene(scene, atlas), side, covered, light,
-                          surface_means(scene, elements), 0, brightness);
+    const Scene baked = lightmapped_scene(unwrapped_scene(scene, atlas), side, covered, light, 0, brightness);
     validate(baked);
     ASSERT_EQ(baked.images.size(), 1u);
     ASSERT_EQ(baked.textures.size(), 1u);
@@ -193,7 +203,7 @@ TEST(Lightmap, HoldsRadianceAndAlphaAndTheImageIrradiance) {
         EXPECT_NEAR(seen.z, red ? 0.0f : 0.25f, 0.005f);
         EXPECT_NEAR(seen.w, red ? 1.0f : 128.0f / 255, 0.005f);
     }
-    const Image image = irradiance_image(side, covered, light);
+    const Image image = irradiance_image(side, covered, light.irradiance);
     const Layer& layer = *image.find("");
     for (std::size_t i = 0; i < image.pixel_count(); ++i) {
         EXPECT_NEAR(layer.pixels[4 * i], PI, 1e-5f); // the gutter is filled as well
@@ -231,7 +241,8 @@ TEST(Occlusion, LeavesTheTexturesTheirCoordinates) {
     }
     scene.materials[0].emission_texture = {0, 0};
     std::vector<std::string> without;
-    const Scene baked = occluded_scene(unwrapped_scene_with_textures(scene, atlas, without), 64, covered, open);
+    const Scene baked =
+        occluded_scene(unwrapped_scene_with_textures(scene, atlas, without), 64, covered, open);
     EXPECT_EQ(without, std::vector<std::string>{"wall"});
     EXPECT_FALSE(baked.materials[0].occlusion_texture.used());
     EXPECT_GT(baked.meshes[0].uv1[0].x, 4);
@@ -260,20 +271,6 @@ TEST(TextureLookup, WrapsAsTheDeviceDoes) {
     scene.textures[0].filter = nearest;
     EXPECT_NEAR(lookup.color({0, 0}, {0.3f, 0}, {}).x, srgb_decode(85.0f / 255), 1e-6f);
     EXPECT_EQ(lookup.color({}, {0.3f, 0}, {}), glm::vec4(1));
-}
-
-TEST(SurfaceMeans, OfUnlitMaterialsIsWhatTheyShow) {
-    SceneBuilder builder;
-    Material m = lambert({0.25f, 0.5f, 1});
-    m.unlit = true;
-    m.emission = {9, 9, 9};
-    builder.square({0, 0, 0}, {0, 0, 1}, 1, builder.material(m));
-    builder.perspective({0, 0, 3}, {0, 0, 0}, 1);
-    const Scene scene = builder.build();
-    const SceneElement whole{0, 0, 0, {0, 0}, {1, 0}, {0, 1}};
-    const SurfaceMean mean = surface_means(scene, std::span(&whole, 1)).front();
-    EXPECT_EQ(mean.reflectance, glm::vec3(0));
-    EXPECT_NEAR(mean.emission.y, 0.5f, 1e-6f);
 }
 
 TEST(ViewDependentMaterials, AreThoseInUseThatReflect) {
