@@ -43,12 +43,13 @@ class TexelTriangle {
         return inside ? 0 : least;
     }
 
-    // The square of a texel in barycentrics. Of a triangle that is a speck within it, whose edges would be
-    // huge, the middle.
-    CoveredTexel covered(std::uint32_t texel, std::uint32_t triangle, const glm::dvec2& corner) const {
+    // A rectangle in barycentrics. Of a triangle that is a speck within it, whose edges would be huge, the
+    // middle.
+    CoveredTexel covered(const glm::dvec2& low, const glm::dvec2& high) const {
         constexpr double SPECK = 1e-6; // texels squared
-        if (std::abs(twice_area_) < SPECK) return {texel, triangle, glm::vec2(1.0f / 3), {}, {}};
-        return {texel, triangle, barycentrics(corner - c_[0]), barycentrics({1, 0}), barycentrics({0, 1})};
+        if (std::abs(twice_area_) < SPECK) return {0, 0, glm::vec2(1.0f / 3), {}, {}};
+        return {0, 0, barycentrics(low - c_[0]), barycentrics({high.x - low.x, 0}),
+                barycentrics({0, high.y - low.y})};
     }
 
     glm::dvec2 lower() const { return glm::floor(glm::min(c_[0], glm::min(c_[1], c_[2]))); }
@@ -85,9 +86,15 @@ std::vector<CoveredTexel> covered_texels(const Atlas& atlas) {
     std::vector<CoveredTexel> result;
     for (std::uint32_t texel = 0; texel < count; ++texel) {
         if (owner[texel] == NOBODY) continue;
+        const std::uint32_t chart = atlas.charts.chart_of[owner[texel]];
+        const glm::dvec2 first = glm::dvec2(atlas.places[chart] + GUTTER) + 0.5;
+        const glm::dvec2 last = first + glm::dvec2(atlas.sizes[chart] - 1u - 2 * GUTTER);
         const glm::dvec2 corner(texel % atlas.side, texel / atlas.side);
-        result.push_back(
-            TexelTriangle(atlas.texel_corners[owner[texel]]).covered(texel, owner[texel], corner));
+        CoveredTexel& covered =
+            result.emplace_back(TexelTriangle(atlas.texel_corners[owner[texel]])
+                                    .covered(glm::max(corner, first), glm::min(corner + 1.0, last)));
+        covered.texel = texel;
+        covered.triangle = owner[texel];
     }
     return result;
 }

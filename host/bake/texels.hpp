@@ -6,12 +6,14 @@
 namespace ajar {
 
 // A texel and the piece of a triangle that it shows, in the triangle's barycentrics (u of the second vertex,
-// v of the third, of its mesh). It reaches beyond the triangle where the texel does.
+// v of the third, of its mesh). It reaches beyond the triangle where the texel does, but not beyond the
+// rectangle around the chart: there is nothing, and places on the very border of a mesh are where textures
+// begin anew.
 struct CoveredTexel {
     std::uint32_t texel = 0;    // x + side * y
     std::uint32_t triangle = 0; // Charts::triangles
-    glm::vec2 origin{0, 0};     // of the texel's least corner
-    glm::vec2 edge_x{0, 0};     // along its row
+    glm::vec2 origin{0, 0};     // of the least corner of the texel's square within the chart's rectangle
+    glm::vec2 edge_x{0, 0};     // its side along the row
     glm::vec2 edge_y{0, 0};
 };
 
