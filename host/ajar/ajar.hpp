@@ -22,4 +22,5 @@
 #include "base/error.hpp"
 #include "base/events.hpp"
 #include "image/image.hpp"
+#include "radiosity/settings.hpp"
 #include "render/settings.hpp"

@@ -2,6 +2,7 @@
 
 #include "cli/help.hpp"
 #include "cli/numbers.hpp"
+#include "cli/radiosity_options.hpp"
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
 
@@ -142,6 +143,7 @@ void declare_method(CLI::App& app, RenderOptions& o) {
             ->group(group);
     };
     choice("--integrator", s.integrator, "What is computed", integrators());
+    choice("--shading", s.shading, "How integrator radiosity shows its patches", shadings());
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
     choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
@@ -244,6 +246,8 @@ void declare(CLI::App& app, RenderOptions& options) {
     declare_display(app, options);
     declare_image(app, options);
     declare_method(app, options);
+    declare_radiosity(app, options.radiosity);
+    declare_plot(app, options.plot);
     declare_scene(app, options);
     declare_device(app, options);
 }

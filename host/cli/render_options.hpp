@@ -4,6 +4,7 @@
 #include "ajar/device.hpp"
 #include "ajar/save_image.hpp"
 #include "ajar/scene_file.hpp"
+#include "radiosity/settings.hpp"
 #include "render/settings.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,11 +15,19 @@
 
 namespace ajar::cli {
 
+// How solvers converged, as a picture.
+struct ConvergencePlot {
+    std::string file;                 // empty: none
+    std::vector<std::string> solvers; // besides the one that is shown
+};
+
 struct RenderOptions {
     std::string scene;
     std::vector<std::string> outputs;
     std::string report;
     RenderSettings settings;
+    RadiositySettings radiosity; // integrator radiosity; its `render` is `settings`
+    ConvergencePlot plot;
     LoadOptions load;
     std::string environment;
     EnvironmentOptions environment_options;

@@ -142,9 +142,10 @@ struct Layout {
         const auto size = [](const auto& part) { return static_cast<std::uint32_t>(part.size()); };
         alias = size(table.lights) * shared::LIGHT_TEXELS;
         distant = alias + size(table.alias);
-        // Pairs do not straddle cache lines.
+        // Nodes do not straddle cache lines.
         tree = (distant + size(table.distant) + 3u) / 4u * 4u;
-        trails = tree + size(table.tree.nodes) * (shared::LIGHT_TREE_PAIR_TEXELS / 2);
+        const std::uint32_t nodes = table.tree.empty ? 0 : 1 + size(table.tree.nodes); // and the root
+        trails = tree + nodes * shared::LIGHT_TREE_NODE_TEXELS;
         end = trails + (size(table.tree.trails) + 3u) / 4u;
     }
 };
@@ -161,7 +162,10 @@ std::vector<glm::uvec4> LightTable::words() const {
     put(0, lights);
     put(at.alias, alias);
     put(at.distant, distant);
-    put(at.tree, tree.nodes);
+    if (!tree.empty) {
+        std::memcpy(result.data() + at.tree, &tree.root, sizeof tree.root);
+        put(at.tree + shared::LIGHT_TREE_NODE_TEXELS, tree.nodes);
+    }
     put(at.trails, tree.trails);
     return result;
 }
@@ -177,7 +181,7 @@ void LightTable::describe(shared::FrameRecord& frame) const {
     frame.distant_slots = static_cast<std::uint32_t>(distant.size());
     frame.distant_irradiance = distant_irradiance;
     frame.tree_first = at.tree;
-    frame.tree_nodes = static_cast<std::uint32_t>(tree.nodes.size());
+    frame.tree_lights = tree.empty ? 0 : 1;
     frame.trails_first = at.trails;
 }
 

@@ -27,6 +27,7 @@ void check(const RenderSettings& s) {
     sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
     find_naive_sampling(s.naive_sampling);
+    find_shading(s.shading);
 }
 
 } // namespace
@@ -40,11 +41,14 @@ struct Renderer::Impl {
     double prepare_seconds = 0;
     RenderSettings learned_with{};
     std::optional<LearnedVisibility> visibility{};
+    PatchPicture picture{};
+    std::optional<PatchTable> patches{}; // the picture's, in the leaf order of gpu_scene
 
     void prepare(const RenderSettings& settings);
     std::vector<shared::SurfaceElement> prepare_elements(std::span<const SceneElement> elements,
                                                          RenderSettings& settings);
     LearnedVisibility* visibility_for(const RenderSettings& settings);
+    const PatchTable* patches_for(const RenderSettings& settings);
 };
 
 // The uploaded scene depends on few settings; it is made again when they change.
@@ -58,6 +62,7 @@ void Renderer::Impl::prepare(const RenderSettings& settings) {
     const Clock::time_point start = Clock::now();
     gpu_scene.reset();
     visibility.reset();
+    patches.reset();
     scene_options = wanted;
     gpu_scene.emplace(device, scene, scene_options);
     if (warn && gpu_scene->spheres_left_out() > 0)
@@ -93,6 +98,13 @@ LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings
     return &*visibility;
 }
 
+const PatchTable* Renderer::Impl::patches_for(const RenderSettings& settings) {
+    if (!find_integrator(settings.integrator).shows_patches) return nullptr;
+    if (!patches)
+        patches.emplace(device, gpu_scene->triangle_sources(), picture.divided, picture.nodes, picture.sides);
+    return &*patches;
+}
+
 Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningSink& warn)
     : impl_(new Impl{device, scene, warn}) {
     validate(scene);
@@ -100,10 +112,22 @@ Renderer::Renderer(const gpu::Device& device, const Scene& scene, const WarningS
 
 Renderer::~Renderer() = default;
 
+void Renderer::show(PatchPicture patches) {
+    impl_->picture = std::move(patches);
+    impl_->patches.reset();
+}
+
 RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink& progress) {
     check(settings);
-    impl_->prepare(settings);
-    RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, settings, impl_->visibility_for(settings));
+    RenderSettings used = settings;
+    if (find_integrator(used.integrator).shows_patches) {
+        if (impl_->picture.sides.empty())
+            throw Error(fmt::format("integrator '{}': no patches have been solved for", used.integrator));
+        used.bake_below_triangles = UINT64_MAX; // patches are in the world
+    }
+    impl_->prepare(used);
+    RenderJob job(impl_->device, impl_->scene, *impl_->gpu_scene, used, impl_->visibility_for(used), {},
+                  impl_->patches_for(used));
     RenderOutput output = job.run(progress);
     output.stats.prepare_seconds = impl_->prepare_seconds;
     return output;

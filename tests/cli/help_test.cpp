@@ -1,6 +1,7 @@
 // What the command says about itself, and what it says to a wrong command line.
 #include "cli/run_ajar.hpp"
 #include "image/tonemap.hpp"
+#include "radiosity/radiosity.hpp"
 #include "render/render.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -29,7 +30,7 @@ void expect_usage_error(const std::vector<std::string>& arguments, const std::st
 } // namespace
 
 TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
-    for (const char* command : {"render", "bake", "lab", "compare", "info", "devices"}) {
+    for (const char* command : {"render", "radiosity", "bake", "lab", "compare", "info", "devices"}) {
         const Result result = run_ajar({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_EQ(result.err, "") << command;
@@ -45,12 +46,13 @@ TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
 TEST(Help, OfTheCommandItselfNamesTheOthers) {
     const Result result = run_ajar({"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* command : {"\n  render ", "\n  bake ", "\n  lab ", "\n  compare ", "\n  info ", "\n  devices "})
+    for (const char* command : {"\n  render ", "\n  radiosity ", "\n  bake ", "\n  lab ", "\n  compare ",
+                                "\n  info ", "\n  devices "})
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 
 TEST(Help, FitsEightyColumns) {
-    for (const char* command : {"render", "bake", "lab", "compare", "info", "devices"})
+    for (const char* command : {"render", "radiosity", "bake", "lab", "compare", "info", "devices"})
         for (const std::string& line : lines(run_ajar({command, "--help"}).out))
             EXPECT_LE(line.size(), 80u) << line;
 }
@@ -66,6 +68,9 @@ TEST(Help, ListsEveryRowOfEveryTable) {
     expect_rows(light_samplers());
     expect_rows(samplers());
     expect_rows(naive_samplings());
+    expect_rows(shadings());
+    expect_rows(radiosity_solvers());
+    expect_rows(radiosity_directs());
     expect_rows(pixel_filters());
     expect_rows(tonemap_operators());
 }

@@ -15,26 +15,34 @@ constexpr std::size_t MOST_CASES = 256;
 
 bool always(const RenderSettings&) { return true; }
 
-// Whether lights are looked for, rather than met by chance or not at all.
-bool casts_shadow_rays(const RenderSettings& s) {
-    return (s.integrator == "path" || s.integrator == "direct") && s.strategy != "bsdf";
+bool shows_patches(const RenderSettings& s) { return s.integrator == "radiosity"; }
+
+bool has_strategy(const RenderSettings& s) {
+    return s.integrator == "path" || s.integrator == "direct" || (shows_patches(s) && s.shading == "gather");
 }
 
-bool has_strategy(const RenderSettings& s) { return s.integrator == "path" || s.integrator == "direct"; }
+// Whether lights are looked for, rather than met by chance or not at all.
+bool casts_shadow_rays(const RenderSettings& s) { return has_strategy(s) && s.strategy != "bsdf"; }
+
+bool may_cast_several(const RenderSettings& s) { return casts_shadow_rays(s) && !shows_patches(s); }
 
 bool combines(const RenderSettings& s) { return has_strategy(s) && s.strategy == "mis"; }
 
-bool picks_a_light(const RenderSettings& s) { return casts_shadow_rays(s) && s.light_rays == "one"; }
+bool picks_a_light(const RenderSettings& s) {
+    return casts_shadow_rays(s) && (s.light_rays == "one" || shows_patches(s));
+}
 
 constexpr std::array AXES{
     Axis{"--integrators", "--integrator", "What is computed", &RenderSettings::integrator, integrators,
          always},
+    Axis{"--shadings", "--shading", "How integrator radiosity shows patches", &RenderSettings::shading,
+         shadings, shows_patches},
     Axis{"--strategies", "--strategy", "How light is found", &RenderSettings::strategy, strategies,
          has_strategy},
     Axis{"--heuristics", "--heuristic", "How strategy mis weighs", &RenderSettings::heuristic, heuristics,
          combines},
     Axis{"--light-ray-choices", "--light-rays", "Shadow rays at a vertex", &RenderSettings::light_rays,
-         light_ray_choices, casts_shadow_rays},
+         light_ray_choices, may_cast_several},
     Axis{"--light-samplers", "--light-sampler", "How a light is picked", &RenderSettings::light_sampler,
          light_samplers, picks_a_light},
     Axis{"--samplers", "--sampler", "Random numbers", &RenderSettings::sampler, samplers, always},

@@ -1,6 +1,7 @@
 #include "cli/lab/options.hpp"
 
 #include "cli/command.hpp"
+#include "cli/radiosity_options.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -154,6 +155,7 @@ void declare(CLI::App& app, LabOptions& o) {
     declare_display(app, o.render);
     declare_image(app, o.render);
     declare_method(app, o.render);
+    declare_radiosity(app, o.render.radiosity);
     for (const Axis& axis : axes()) app.remove_option(app.get_option(axis.replaces));
     declare_scene(app, o.render);
     declare_device(app, o.render);
