@@ -183,10 +183,18 @@ void declare_method(CLI::App& app, RenderOptions& o) {
 }
 
 void declare_scene(CLI::App& app, RenderOptions& o) {
-    const std::string group = "Scene";
     app.add_option("--camera", o.settings.camera, "Default: the scene's first; a file without any is framed")
         ->type_name("NAME|INDEX")
-        ->group(group);
+        ->group("Scene");
+    declare_light(app, o);
+    app.get_option("--background")
+        ->description(
+            "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets "
+            "a soft grey studio)");
+}
+
+void declare_light(CLI::App& app, RenderOptions& o) {
+    const std::string group = "Scene";
     app.add_option("--scene", o.load.scene, "Which of the file's scenes (default: the file's own choice)")
         ->type_name("NAME|INDEX")
         ->group(group);
@@ -204,8 +212,7 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets a soft "
-           "grey studio)")
+           "Radiance where there is no map (default 0,0,0)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(

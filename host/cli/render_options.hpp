@@ -47,7 +47,8 @@ void declare_output(CLI::App& app, RenderOptions& options);  // the files, and w
 void declare_display(CLI::App& app, RenderOptions& options); // tone mapping, progress
 void declare_image(CLI::App& app, RenderOptions& options);   // size, samples, bounces, filter
 void declare_method(CLI::App& app, RenderOptions& options);  // rows of tables
-void declare_scene(CLI::App& app, RenderOptions& options);   // camera, environment
+void declare_scene(CLI::App& app, RenderOptions& options);   // the camera, and
+void declare_light(CLI::App& app, RenderOptions& options);   // which scene, environment, back faces
 void declare_device(CLI::App& app, RenderOptions& options);
 
 } // namespace ajar::cli

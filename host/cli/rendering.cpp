@@ -36,13 +36,18 @@ Device open_device(RenderOptions& o, ProgressDisplay& display) {
     return Device(o.device);
 }
 
-SceneFile load_scene(RenderOptions& o, ProgressDisplay& display) {
+SceneFile read_scene(RenderOptions& o, ProgressDisplay& display) {
     display.stage("load");
     o.load.aspect = static_cast<float>(o.settings.width) / static_cast<float>(o.settings.height);
     o.load.warn = [&display](std::string_view line) { display.warning(line); };
     SceneFile scene = SceneFile::load(o.scene, o.load);
     if (!o.environment.empty()) scene.set_environment(o.environment, o.environment_options);
     if (o.background) std::copy(o.background->begin(), o.background->end(), o.settings.background);
+    return scene;
+}
+
+SceneFile load_scene(RenderOptions& o, ProgressDisplay& display) {
+    SceneFile scene = read_scene(o, display);
     if (!o.background && !scene.has_light()) {
         scene.set_default_environment();
         display.notice("the scene has no light: lit by a soft grey studio (see --env, --background)");

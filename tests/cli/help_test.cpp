@@ -30,7 +30,8 @@ void expect_usage_error(const std::vector<std::string>& arguments, const std::st
 } // namespace
 
 TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
-    for (const char* command : {"render", "radiosity", "lab", "merge", "compare", "info", "devices"}) {
+    for (const char* command :
+         {"render", "radiosity", "bake", "lab", "merge", "compare", "info", "devices"}) {
         const Result result = run_ajar({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_EQ(result.err, "") << command;
@@ -46,13 +47,13 @@ TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
 TEST(Help, OfTheCommandItselfNamesTheOthers) {
     const Result result = run_ajar({"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* command :
-         {"\n  render ", "\n  radiosity ", "\n  lab ", "\n  merge ", "\n  compare ", "\n  info ", "\n  devices "})
+    for (const char* command : {"\n  render ", "\n  radiosity ", "\n  bake ", "\n  lab ", "\n  merge ",
+                                "\n  compare ", "\n  info ", "\n  devices "})
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 
 TEST(Help, FitsEightyColumns) {
-    for (const char* command : {"render", "radiosity", "lab", "merge", "compare", "info", "devices"})
+    for (const char* command : {"render", "radiosity", "bake", "lab", "merge", "compare", "info", "devices"})
         for (const std::string& line : lines(run_ajar({command, "--help"}).out))
             EXPECT_LE(line.size(), 80u) << line;
 }
