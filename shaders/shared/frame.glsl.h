@@ -81,8 +81,10 @@ struct FrameRecord {
     uint soft_count;
     uint patch_nodes_first;      // texel in BIND_PATCHES: PatchNodes; roots by triangle come before them
     uint patch_sides_first;      // texel in BIND_PATCHES: PatchSides
+    uint pool_paths;             // slots of BIND_RADIANCE; words of the vertices left lie behind them
+    uint pad;
 };
-DUAL_SIZE(FrameRecord, 328);
+DUAL_SIZE(FrameRecord, 336);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;
