@@ -57,6 +57,7 @@ Json image_settings(const Manifest& m) {
             {"naive_sampling", s.naive_sampling},
             {"triangle_sampling", s.triangle_sampling},
             {"shading", s.shading},
+            {"environment_sampling", s.environment_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
             {"filter_radius", s.filter_radius},

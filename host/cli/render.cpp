@@ -31,6 +31,7 @@ bool solves(const RenderOptions& o) { return o.settings.integrator == "radiosity
 void check(const CLI::App& app, const RenderOptions& o) {
     if (!solves(o)) refuse_radiosity_options(app);
     if (o.outputs.empty() && o.report.empty()) throw UsageError("nothing to write: -o FILE is missing");
+    expect_possible(o.settings);
     for (const std::string& file : o.outputs) check_save(file, o.save);
     for (const std::string& file : {o.report, o.plot.file})
         if (!file.empty()) const PendingFile writable(file);

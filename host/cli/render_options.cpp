@@ -51,7 +51,7 @@ void set_filter(RenderSettings& settings, const std::string& name) {
 
 } // namespace
 
-void declare_output(CLI::App& app, RenderOptions& o) {
+void declare_files(CLI::App& app, RenderOptions& o) {
     const std::string group = "Output";
     app.add_option(
            "-o,--output", o.outputs,
@@ -62,6 +62,11 @@ void declare_output(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_flag("--float", o.save.full_floats, "EXR: 32-bit floats (default: half where that is enough)")
         ->group(group);
+}
+
+void declare_output(CLI::App& app, RenderOptions& o) {
+    declare_files(app, o);
+    const std::string group = "Output";
     app.add_flag("--aov", o.settings.aovs,
                  "EXR: layers albedo, normal, position, depth, emission, object_id, material_id, samples")
         ->group(group);
@@ -101,6 +106,11 @@ void declare_image(CLI::App& app, RenderOptions& o) {
     app.add_option("--samples", s.samples, fmt::format("Per pixel (default {})", s.samples))
         ->type_name("N")
         ->check(count(1))
+        ->group(group);
+    app.add_option("--first-sample", s.first_sample,
+                   "Of those; with it several runs render parts of one picture, for `ajar merge` (default 0)")
+        ->type_name("N")
+        ->check(count(0))
         ->group(group);
     app.add_option("--seed", s.seed, "The same seed gives the same image (default 0)")
         ->type_name("N")
@@ -151,6 +161,8 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--sampler", s.sampler, "Random numbers", samplers());
     choice("--triangle-sampling", s.triangle_sampling, "How a point on an emissive triangle is picked",
            triangle_samplings());
+    choice("--env-sampling", s.environment_sampling, "How a direction to the map of --env is picked",
+           environment_samplings());
     choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
     app.add_option("--clamp", s.clamp,
                    "No channel of a sample is above it; darkens the image, so it is named as biased "
@@ -171,10 +183,18 @@ void declare_method(CLI::App& app, RenderOptions& o) {
 }
 
 void declare_scene(CLI::App& app, RenderOptions& o) {
-    const std::string group = "Scene";
     app.add_option("--camera", o.settings.camera, "Default: the scene's first; a file without any is framed")
         ->type_name("NAME|INDEX")
-        ->group(group);
+        ->group("Scene");
+    declare_light(app, o);
+    app.get_option("--background")
+        ->description(
+            "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets "
+            "a soft grey studio)");
+}
+
+void declare_light(CLI::App& app, RenderOptions& o) {
+    const std::string group = "Scene";
     app.add_option("--scene", o.load.scene, "Which of the file's scenes (default: the file's own choice)")
         ->type_name("NAME|INDEX")
         ->group(group);
@@ -192,8 +212,7 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets a soft "
-           "grey studio)")
+           "Radiance where there is no map (default 0,0,0)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(

@@ -1,6 +1,9 @@
 // Names to what they stand for; each throws Error that lists the known names.
 #pragma once
 
+#include "render/environment_table.hpp"
+#include "render/settings.hpp"
+
 #include <cstdint>
 #include <string_view>
 
@@ -22,5 +25,8 @@ Shading find_shading(std::string_view name);
 
 // The FEATURE_* bits of a scene with FEATURE_WIDE_TRIANGLES as the row of triangle_samplings() wants it.
 std::uint32_t choose_triangle_sampling(std::string_view name, std::uint32_t features);
+// What the row of environment_samplings() means for those settings. Throws Error also where it would miss
+// light.
+EnvironmentDensity choose_environment_sampling(const RenderSettings& settings);
 
 } // namespace ajar

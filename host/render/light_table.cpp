@@ -57,7 +57,8 @@ void add_distant(const std::vector<double>& weights, LightTable& table) {
 // Lights in the order of LightTable::lights, with what the distributions are made of.
 class Builder {
   public:
-    Builder(const Scene& scene, float scene_radius) : scene_(scene), radius_(scene_radius) {}
+    Builder(const Scene& scene, float scene_radius, double environment_share)
+        : scene_(scene), radius_(scene_radius), environment_share_(environment_share) {}
 
     LightTable build(std::span<const EmissiveTriangle> triangles, std::span<const EmissiveSphere> spheres) {
         for (const EmissiveTriangle& t : triangles)
@@ -112,14 +113,15 @@ class Builder {
         record.kind = shared::LIGHT_ENVIRONMENT;
         record.radiance = environment.scale;
         table_.environment_light = static_cast<std::uint32_t>(table_.lights.size());
-        add(record, light_power(environment, radius_),
+        add(record, environment_share_ * light_power(environment, radius_),
             environment.radiance.empty() ? shared::FEATURE_CONSTANT_ENVIRONMENT
                                          : shared::FEATURE_ENVIRONMENT_MAP,
-            {}, distant_irradiance(environment));
+            {}, environment_share_ * distant_irradiance(environment));
     }
 
     const Scene& scene_;
     float radius_;
+    double environment_share_;
     LightTable table_;
     std::vector<LightBounds> bounds_; // per light; without intensity: not in the tree
     std::vector<double> irradiances_; // per light
@@ -128,8 +130,9 @@ class Builder {
 } // namespace
 
 LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
-                             float scene_radius, std::span<const EmissiveSphere> spheres) {
-    return Builder(scene, scene_radius).build(triangles, spheres);
+                             float scene_radius, std::span<const EmissiveSphere> spheres,
+                             double environment_share) {
+    return Builder(scene, scene_radius, environment_share).build(triangles, spheres);
 }
 
 namespace {

@@ -29,7 +29,12 @@ std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();
 std::span<const Choice> triangle_samplings();
 std::span<const Choice> shadings();
+std::span<const Choice> environment_samplings();
 std::span<const Choice> pixel_filters();
+
+// Throws Error for settings with which no scene can be rendered: unknown names, numbers out of range, choices
+// that exclude each other.
+void check_settings(const RenderSettings& settings);
 
 struct RenderStats {
     RenderSettings settings;   // as used: what was left to a default has its value
@@ -71,6 +76,12 @@ struct ElementRadiance {
     RenderStats stats;
 };
 
+// Means over elements, by element, where their material is there at all.
+struct ElementMaterials {
+    std::vector<glm::vec3> emission;    // W/(m^2 sr), along the normal; of unlit materials what they show
+    std::vector<glm::vec3> reflectance; // share of diffuse light from all around that is reflected, 0 to 1
+};
+
 // The scene's surfaces as patches and what they look like, for integrator radiosity (shared/patch.glsl.h).
 struct PatchPicture {
     std::vector<TriangleSource> divided;  // the triangles that have patches, by instance and triangle
@@ -100,6 +111,9 @@ class Renderer {
     // scene's triangles.
     ElementRadiance irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
                                const ProgressSink& progress = {});
+
+    // What the same elements are made of.
+    ElementMaterials materials(std::span<const SceneElement> elements, const RenderSettings& settings);
 
   private:
     struct Impl;

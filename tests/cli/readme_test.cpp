@@ -49,6 +49,7 @@ TEST(Readme, EveryCommandRuns) {
         const bool shows = solves || line.starts_with("ajar render ");
         if (shows) line += " --size 24x16 --samples 2"; // the last ones count
         if (solves) line += " --patches 100";
+        if (line.starts_with("ajar bake ")) line += " --lightmap 64 --samples 2";
         expect_success({"sh", "-c", line}, surroundings);
         ++count;
     }

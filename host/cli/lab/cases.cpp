@@ -45,6 +45,8 @@ constexpr std::array AXES{
          light_ray_choices, may_cast_several},
     Axis{"--light-samplers", "--light-sampler", "How a light is picked", &RenderSettings::light_sampler,
          light_samplers, picks_a_light},
+    Axis{"--env-samplings", "--env-sampling", "How a direction to an environment map is picked",
+         &RenderSettings::environment_sampling, environment_samplings, combines},
     Axis{"--samplers", "--sampler", "Random numbers", &RenderSettings::sampler, samplers, always},
 };
 
@@ -84,12 +86,14 @@ std::vector<Case> combinations(const RenderSettings& base,
         if (chosen[a].empty()) continue;
         std::vector<Case> next;
         for (const Case& c : cases) {
-            const std::size_t count = axis.matters(c.settings) ? chosen[a].size() : 1;
-            for (std::size_t i = 0; i < count; ++i) {
+            if (!axis.matters(c.settings)) {
                 next.push_back(c);
-                next.back().settings.*axis.setting = chosen[a][i];
-                if (chosen[a].size() > 1 && count > 1)
-                    next.back().name += (c.name.empty() ? "" : ", ") + chosen[a][i];
+                continue;
+            }
+            for (const std::string& name : chosen[a]) {
+                next.push_back(c);
+                next.back().settings.*axis.setting = name;
+                if (chosen[a].size() > 1) next.back().name += (c.name.empty() ? "" : ", ") + name;
             }
         }
         cases = std::move(next);
@@ -109,7 +113,7 @@ RenderSettings parse_settings(const std::string& text, const RenderSettings& bas
     declare_image(app, options);
     declare_method(app, options);
     // The same for all, or what the lab itself is about.
-    for (const char* fixed : {"--size", "--samples", "--time-limit"})
+    for (const char* fixed : {"--size", "--samples", "--first-sample", "--time-limit"})
         app.remove_option(app.get_option(fixed));
     try {
         app.parse(text);
