@@ -25,9 +25,9 @@ set_target_properties(
 set(host ${PROJECT_SOURCE_DIR}/host)
 set(generated ${PROJECT_BINARY_DIR}/include/ajar)
 file(GLOB public_headers RELATIVE ${host} CONFIGURE_DEPENDS ${host}/ajar/*.hpp)
-list(REMOVE_ITEM public_headers ajar/manifest.hpp ajar/scene_hash.hpp)
-list(APPEND public_headers base/error.hpp base/events.hpp gpu/device.hpp image/image.hpp
-     render/settings.hpp)
+list(REMOVE_ITEM public_headers ajar/manifest.hpp ajar/radiosity_manifest.hpp ajar/scene_hash.hpp)
+list(APPEND public_headers bake/settings.hpp base/error.hpp base/events.hpp gpu/device.hpp image/image.hpp
+     radiosity/settings.hpp render/settings.hpp)
 foreach(header IN LISTS public_headers)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${host}/${header})
   string(REGEX REPLACE "^ajar/" "" installed ${header})

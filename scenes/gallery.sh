@@ -1,6 +1,7 @@
 #!/bin/sh
 # The pictures of the ladder from naive path tracing to many lights, each by one run of `ajar lab`:
 #   scenes/gallery.sh [AJAR [FOLDER]]     AJAR: the command (default ajar), FOLDER: where to (default gallery)
+# and, by `ajar render` and oiiotool, the sheet that the README begins with (FOLDER/gallery.jpg).
 # AJAR_GALLERY_SECONDS (default 10) is the time of a case where time is what counts.
 set -eu
 
@@ -8,6 +9,23 @@ ajar=${1:-ajar}
 folder=${2:-gallery}
 scenes=$(dirname "$0")
 seconds=${AJAR_GALLERY_SECONDS:-10}
+
+# The sheet: what scenes look like when they are done.
+picture() { # SCENE SIZE OPTIONS...
+    scene=$1
+    size=$2
+    shift 2
+    echo "gallery: $scene" >&2
+    "$ajar" render "$scenes/$scene/$scene.gltf" -o "$folder/$scene.png" --size "$size" --samples 256 "$@"
+}
+mkdir -p "$folder"
+picture cornell-box 300x300
+picture glossy-and-specular 300x300
+picture veach-mis 400x300 --light-sampler tree
+picture textured 400x300
+oiiotool "$folder/cornell-box.png" --create 1412x300 3 --paste +0+0 \
+    "$folder/glossy-and-specular.png" --swap --paste +304+0 "$folder/veach-mis.png" --swap --paste +608+0 \
+    "$folder/textured.png" --swap --paste +1012+0 --compression jpeg:92 -o "$folder/gallery.jpg"
 
 lab() { # NAME SCENE OPTIONS...
     name=$1

@@ -21,7 +21,7 @@ RADIANCE = {  # of lamps, W/(m^2 sr)
     "blue": (18, 34, 170), "violet": (92, 22, 145), "rose": (145, 32, 60), "gold": (240, 140, 34),
     "paper_red": (8, 0.5, 0.15), "paper_amber": (8, 2.6, 0.3), "paper_rose": (7, 0.7, 1.3),
     "paper_blue": (0.4, 1.1, 7), "warm_dim": (80, 50, 24), "warm_mid": (240, 150, 70),
-    "warm_bright": (600, 390, 190), "window_warm": (2.2, 1.2, 0.42), "window_cool": (0.9, 1.15, 1.5),
+    "warm_bright": (1800, 1170, 570), "window_warm": (2.2, 1.2, 0.42), "window_cool": (0.9, 1.15, 1.5),
     "window_dim": (0.6, 0.3, 0.1)}
 HIDDEN_GAIN = 6  # of the lamps behind walls
 WALL_HALF, WALL_TOP, GATE_HALF, GATE_TOP = 0.15, 4.4, 1.1, 2.7
@@ -156,7 +156,7 @@ def many_lights_walled_10000(gltf):
     **Right answer:** the same mean whatever `--light-sampler` says; black lamps behind the walls change
     nothing. `uniform` and `power` hit walls with all but about one of a hundred shadow rays. `tree` chooses
     by distance, and most of what is near is hidden: lit by every lamp without walls, a point of the street
-    would get about six times what it gets. `visibility` learns which clusters of lamps a place sees and
+    would get several times as much. `visibility` learns which clusters of lamps a place sees and
     sends its rays there.
     """
     Market(gltf, 10, 10, walled=True).look_along()

@@ -12,12 +12,15 @@
 // a time.
 #pragma once
 
+#include "ajar/bake.hpp"
 #include "ajar/device.hpp"
 #include "ajar/save_image.hpp"
 #include "ajar/scene_file.hpp"
 #include "ajar/session.hpp"
 #include "ajar/version.hpp"
+#include "bake/settings.hpp"
 #include "base/error.hpp"
 #include "base/events.hpp"
 #include "image/image.hpp"
+#include "radiosity/settings.hpp"
 #include "render/settings.hpp"

@@ -1,5 +1,6 @@
 #include "ajar/manifest.hpp"
 
+#include "ajar/radiosity_manifest.hpp"
 #include "ajar/version.hpp"
 #include "base/hash.hpp"
 #include "gpu/kernel.hpp"
@@ -33,6 +34,7 @@ std::string camera_name(const Manifest& m) {
 Json biased_by(const RenderSettings& s) {
     Json reasons = Json::array();
     if (s.clamp > 0) reasons.push_back("clamp");
+    if (s.integrator == "radiosity") reasons.push_back("radiosity"); // finite patches, diffuse surfaces
     return reasons;
 }
 
@@ -54,6 +56,8 @@ Json image_settings(const Manifest& m) {
             {"sequence_samples", s.sequence_samples},
             {"naive_sampling", s.naive_sampling},
             {"triangle_sampling", s.triangle_sampling},
+            {"shading", s.shading},
+            {"environment_sampling", s.environment_sampling},
             {"camera", camera_name(m)},
             {"filter", filter_name(s.filter)},
             {"filter_radius", s.filter_radius},
@@ -112,12 +116,9 @@ Json time_json(const RenderStats& stats) {
         kernels[name] = {{"seconds", time.seconds},
                          {"dispatches", time.dispatches},
                          {"share", total > 0 ? time.seconds / total : 0}};
-    return {{"prepare_seconds", stats.prepare_seconds},
-            {"bvh_seconds", stats.bvh_seconds},
-            {"light_tree_seconds", stats.light_tree_seconds},
-            {"render_seconds", stats.render_seconds},
-            {"learning_seconds", stats.learning_seconds},
-            {"kernels", kernels}};
+    return {{"prepare_seconds", stats.prepare_seconds},       {"bvh_seconds", stats.bvh_seconds},
+            {"light_tree_seconds", stats.light_tree_seconds}, {"render_seconds", stats.render_seconds},
+            {"learning_seconds", stats.learning_seconds},     {"kernels", kernels}};
 }
 
 Json rays_json(const RenderStats& stats) {
@@ -134,6 +135,7 @@ Json rays_json(const RenderStats& stats) {
 std::vector<std::pair<std::string, std::string>> reproduction_metadata(const Manifest& m) {
     const gpu::DeviceDescription& d = m.device.description();
     Json settings = image_settings(m);
+    if (m.radiosity != nullptr) settings["radiosity"] = radiosity_settings_json(*m.radiosity);
     if (m.stats.interrupted)
         settings["interrupted"] = true; // some pixels may have more samples: layer "samples"
     return {{"ajar:version", std::string(version())},
@@ -164,6 +166,7 @@ std::string manifest_json(const Manifest& m) {
                       {"saturated_samples", m.stats.saturated_samples},
                       {"exhausted_loops", m.stats.exhausted_loops},
                       {"device_bytes", m.stats.device_bytes}};
+    if (m.radiosity != nullptr) json["radiosity"] = radiosity_json(*m.radiosity);
     json["time"] = time_json(m.stats);
     json["rays"] = rays_json(m.stats);
     return dump(json, 2) + "\n";

@@ -2,6 +2,7 @@
 // metadata.
 #pragma once
 
+#include "ajar/session.hpp"
 #include "gpu/device.hpp"
 #include "render/render.hpp"
 
@@ -16,7 +17,8 @@ struct Manifest {
     const std::string& scene_hash;
     const Scene& scene;
     const gpu::Device& device;
-    const RenderStats& stats; // with the settings as used
+    const RenderStats& stats;                   // with the settings as used
+    const RadiosityResult* radiosity = nullptr; // what the image shows, if it does
 };
 
 // Settings that decide the image, hashes of scene and shaders, version, device and driver. No clock, no path

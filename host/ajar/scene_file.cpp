@@ -14,6 +14,7 @@ namespace ajar {
 struct SceneFile::Impl {
     std::string name;
     Scene scene;
+    bool has_camera = false;
 };
 
 SceneFile::SceneFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -28,7 +29,9 @@ SceneFile SceneFile::load(const std::filesystem::path& path, const LoadOptions& 
     import.aspect = options.aspect;
     auto impl = std::make_unique<Impl>();
     impl->name = path.filename().string();
-    impl->scene = import_gltf(path, import).scene;
+    ImportResult result = import_gltf(path, import);
+    impl->scene = std::move(result.scene);
+    impl->has_camera = !result.info.automatic_camera;
     return SceneFile(std::move(impl));
 }
 
@@ -53,6 +56,8 @@ void SceneFile::set_environment(float red, float green, float blue) {
 void SceneFile::set_default_environment() { impl_->scene.environment = default_environment(); }
 
 bool SceneFile::has_light() const { return ajar::has_light(impl_->scene); }
+
+bool SceneFile::has_camera() const { return impl_->has_camera; }
 
 std::uint64_t SceneFile::triangle_count() const {
     std::uint64_t count = 0;

@@ -41,6 +41,8 @@ class SceneFile {
 
     // False where every pixel would be black: no light, no environment, nothing that emits or is unlit.
     bool has_light() const;
+    // False where the file had none, and its camera was made to frame the scene.
+    bool has_camera() const;
     std::uint64_t triangle_count() const; // each instance counted
 
     const std::string& name() const; // the file's, without its folder

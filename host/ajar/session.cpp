@@ -1,8 +1,11 @@
 #include "ajar/session.hpp"
 
 #include "ajar/manifest.hpp"
+#include "radiosity/patch_picture.hpp"
+#include "radiosity/radiosity.hpp"
 #include "render/render.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace ajar {
@@ -12,18 +15,36 @@ struct Session::Impl {
     std::string scene_hash;
     const Scene& scene;
     const Device& device;
+    WarningSink warn;
     Renderer renderer;
+    std::optional<RadiosityResult> radiosity{}; // what integrator radiosity shows
 };
 
 Session::Session(const SceneFile& scene, const Device& device, const WarningSink& warn)
-    : impl_(new Impl{scene.name(), scene.hash(), scene.scene(), device,
+    : impl_(new Impl{scene.name(), scene.hash(), scene.scene(), device, warn,
                      Renderer(device, scene.scene(), warn)}) {}
 
 Session::~Session() = default;
 
+RadiosityResult Session::solve(const RadiositySettings& settings, const ProgressSink& progress) {
+    RadiositySolution solution =
+        solve_radiosity(impl_->device, impl_->scene, settings, progress, impl_->warn);
+    impl_->renderer.show(patch_picture(solution));
+    impl_->radiosity = {std::move(solution.stats), std::move(solution.history)};
+    return *impl_->radiosity;
+}
+
 RenderResult Session::render(const RenderSettings& settings, const ProgressSink& progress) {
+    const bool shows_solution = settings.integrator == "radiosity";
+    if (shows_solution && !impl_->radiosity) {
+        RadiositySettings defaults;
+        defaults.render = settings;
+        solve(defaults, progress);
+    }
     RenderOutput output = impl_->renderer.render(settings, progress);
-    const Manifest manifest{impl_->scene_name, impl_->scene_hash, impl_->scene, impl_->device, output.stats};
+    const Manifest manifest{impl_->scene_name, impl_->scene_hash,
+                            impl_->scene,      impl_->device,
+                            output.stats,      shows_solution ? &*impl_->radiosity : nullptr};
     RenderResult result;
     result.image = std::move(output.image);
     for (auto& entry : reproduction_metadata(manifest)) result.image.metadata.push_back(std::move(entry));

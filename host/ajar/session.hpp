@@ -5,11 +5,13 @@
 #include "ajar/scene_file.hpp"
 #include "base/events.hpp"
 #include "image/image.hpp"
+#include "radiosity/settings.hpp"
 #include "render/settings.hpp"
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace ajar {
 
@@ -24,7 +26,7 @@ struct RenderResult {
     double prepare_seconds = 0; // building the hierarchy and uploading
     double render_seconds = 0;
     double learning_seconds = 0; // part of those: what light sampler visibility learns, once for a session
-    std::uint64_t rays = 0; // traced, shadow rays included
+    std::uint64_t rays = 0;      // traced, shadow rays included
     std::uint64_t shadow_rays = 0;
     std::uint64_t shadow_rays_open = 0; // that reached their light
     // What should not happen; 0 in a good render.
@@ -35,6 +37,11 @@ struct RenderResult {
     // A JSON document: every setting, the hashes of scene and shaders, device, driver, versions, time per
     // kernel, rays.
     std::string manifest;
+};
+
+struct RadiosityResult {
+    RadiosityStats stats;
+    std::vector<RadiosityIteration> history;
 };
 
 // A scene that has been uploaded to a device.
@@ -48,7 +55,13 @@ class Session {
     Session& operator=(const Session&) = delete;
 
     // progress: stage "render", in samples per pixel; return false to stop and keep what is done.
+    // Integrator "radiosity" shows the last solution, or first solves by RadiositySettings' defaults.
     RenderResult render(const RenderSettings& settings, const ProgressSink& progress = {});
+
+    // Solves for the light of all surfaces by finite elements, every material taken for diffuse.
+    // progress: stages "materials", "form factors", "direct light" and "solve"; return false to stop: what is
+    // known by then is the solution.
+    RadiosityResult solve(const RadiositySettings& settings, const ProgressSink& progress = {});
 
   private:
     struct Impl;

@@ -28,8 +28,11 @@ struct Command {
 };
 
 Command render_command(CLI::App& parent);
+Command radiosity_command(CLI::App& parent);
+Command bake_command(CLI::App& parent);
 Command compare_command(CLI::App& parent);
 Command lab_command(CLI::App& parent);
+Command merge_command(CLI::App& parent);
 Command info_command(CLI::App& parent);
 Command devices_command(CLI::App& parent);
 

@@ -20,10 +20,13 @@ int usage_error(std::string_view message, const std::string& command) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Ajar renders glTF scenes by path tracing on any Vulkan device, and compares images.",
-                 "ajar");
+    CLI::App app(
+        "Ajar renders glTF scenes by path tracing and radiosity on any Vulkan device, and compares images.",
+        "ajar");
     app.formatter(std::make_shared<HelpFormatter>());
     app.footer("  ajar render scene.glb -o out.png\n"
+               "  ajar radiosity scene.glb -o out.png --shading gather\n"
+               "  ajar bake scene.glb -o baked.glb\n"
                "  ajar lab scene.glb --strategies all\n"
                "  ajar compare out.exr golden.exr\n"
                "  ajar render --help");
@@ -31,8 +34,9 @@ int run(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help");
     app.require_subcommand(0, 1);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    const std::vector<Command> commands{render_command(app), lab_command(app), compare_command(app),
-                                        info_command(app), devices_command(app)};
+    const std::vector<Command> commands{render_command(app), radiosity_command(app), bake_command(app),
+                                        lab_command(app),    merge_command(app),     compare_command(app),
+                                        info_command(app),   devices_command(app)};
     const auto chosen = [&] {
         return std::find_if(commands.begin(), commands.end(),
                             [](const Command& c) { return c.app->parsed(); });
@@ -43,7 +47,8 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         if (chosen() == commands.end())
-            throw UsageError("a command is missing: render, lab, compare, info or devices");
+            throw UsageError(
+                "a command is missing: render, radiosity, bake, lab, merge, compare, info or devices");
         return chosen()->run();
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))

@@ -51,6 +51,8 @@ void ProgressDisplay::stage(std::string_view name) {
 
 void ProgressDisplay::update(const Progress& p) {
     const bool last = p.done == p.total;
+    if (p.stage != stage_) shown_ = -1;
+    stage_ = p.stage;
     if (mode_ == ProgressMode::none || (!last && shown_ >= 0 && p.seconds - shown_ < REDRAW_SECONDS)) return;
     shown_ = p.seconds;
     const double rate = p.seconds > 0 ? static_cast<double>(p.done) / p.seconds : 0;
@@ -65,8 +67,11 @@ void ProgressDisplay::update(const Progress& p) {
         print_json(json);
         return;
     }
-    std::string line = fmt::format("\r\x1b[K{}/{} samples", p.done, p.total);
-    if (rate > 0) line += fmt::format("  {:.3g}/s", rate);
+    const bool samples = p.stage == "render";
+    const double percent = p.total > 0 ? 100 * static_cast<double>(p.done) / static_cast<double>(p.total) : 0;
+    std::string line = samples ? fmt::format("\r\x1b[K{}/{} samples", p.done, p.total)
+                               : fmt::format("\r\x1b[K{}: {:.0f} %", p.stage, percent);
+    if (samples && rate > 0) line += fmt::format("  {:.3g}/s", rate);
     if (left >= 0) line += fmt::format("  {} left", clock_time(left));
     print_stderr(line);
     line_open_ = true;

@@ -37,6 +37,7 @@ class ProgressDisplay {
     ProgressMode mode_;
     double time_limit_;
     double shown_ = -1; // seconds of the last line
+    std::string stage_; // that it was about
     bool line_open_ = false;
 };
 

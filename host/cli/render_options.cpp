@@ -1,41 +1,20 @@
 #include "cli/render_options.hpp"
 
 #include "cli/help.hpp"
+#include "cli/numbers.hpp"
+#include "cli/radiosity_options.hpp"
 #include "image/tonemap.hpp"
 #include "render/render.hpp"
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace ajar::cli {
 
 namespace {
 
 constexpr std::uint32_t MAX_SIDE = 65536; // pixels; whether the film fits is for the device to say
-constexpr double HUGE_NUMBER = std::numeric_limits<float>::max();
-
-// A finite number from `low` to `high`; without a description, which CLI11 would put into the help's option
-// names.
-CLI::Validator number(double low, double high) {
-    return CLI::Validator(
-        [low, high](const std::string& text) {
-            char* end = nullptr;
-            const double value = std::strtod(text.c_str(), &end);
-            if (!text.empty() && *end == '\0' && value >= low && value <= high) return std::string();
-            if (high == HUGE_NUMBER && low == -HUGE_NUMBER)
-                return fmt::format("'{}' is not a finite number", text);
-            if (high == HUGE_NUMBER) return fmt::format("'{}' is not a number of at least {}", text, low);
-            return fmt::format("'{}' is not a number from {} to {}", text, low, high);
-        },
-        "");
-}
-
-CLI::Validator count(std::uint32_t low, std::uint32_t high = std::numeric_limits<std::uint32_t>::max()) {
-    return number(low, high);
-}
 
 void set_size(RenderSettings& settings, const std::string& text) {
     const char* const end = text.data() + text.size();
@@ -72,7 +51,7 @@ void set_filter(RenderSettings& settings, const std::string& name) {
 
 } // namespace
 
-void declare_output(CLI::App& app, RenderOptions& o) {
+void declare_files(CLI::App& app, RenderOptions& o) {
     const std::string group = "Output";
     app.add_option(
            "-o,--output", o.outputs,
@@ -83,6 +62,11 @@ void declare_output(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_flag("--float", o.save.full_floats, "EXR: 32-bit floats (default: half where that is enough)")
         ->group(group);
+}
+
+void declare_output(CLI::App& app, RenderOptions& o) {
+    declare_files(app, o);
+    const std::string group = "Output";
     app.add_flag("--aov", o.settings.aovs,
                  "EXR: layers albedo, normal, position, depth, emission, object_id, material_id, samples")
         ->group(group);
@@ -122,6 +106,11 @@ void declare_image(CLI::App& app, RenderOptions& o) {
     app.add_option("--samples", s.samples, fmt::format("Per pixel (default {})", s.samples))
         ->type_name("N")
         ->check(count(1))
+        ->group(group);
+    app.add_option("--first-sample", s.first_sample,
+                   "Of those; with it several runs render parts of one picture, for `ajar merge` (default 0)")
+        ->type_name("N")
+        ->check(count(0))
         ->group(group);
     app.add_option("--seed", s.seed, "The same seed gives the same image (default 0)")
         ->type_name("N")
@@ -164,6 +153,7 @@ void declare_method(CLI::App& app, RenderOptions& o) {
             ->group(group);
     };
     choice("--integrator", s.integrator, "What is computed", integrators());
+    choice("--shading", s.shading, "How integrator radiosity shows its patches", shadings());
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
     choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
@@ -171,6 +161,8 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--sampler", s.sampler, "Random numbers", samplers());
     choice("--triangle-sampling", s.triangle_sampling, "How a point on an emissive triangle is picked",
            triangle_samplings());
+    choice("--env-sampling", s.environment_sampling, "How a direction to the map of --env is picked",
+           environment_samplings());
     choice("--naive-sampling", s.naive_sampling, "How integrator naive picks directions", naive_samplings());
     app.add_option("--clamp", s.clamp,
                    "No channel of a sample is above it; darkens the image, so it is named as biased "
@@ -191,10 +183,18 @@ void declare_method(CLI::App& app, RenderOptions& o) {
 }
 
 void declare_scene(CLI::App& app, RenderOptions& o) {
-    const std::string group = "Scene";
     app.add_option("--camera", o.settings.camera, "Default: the scene's first; a file without any is framed")
         ->type_name("NAME|INDEX")
-        ->group(group);
+        ->group("Scene");
+    declare_light(app, o);
+    app.get_option("--background")
+        ->description(
+            "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets "
+            "a soft grey studio)");
+}
+
+void declare_light(CLI::App& app, RenderOptions& o) {
+    const std::string group = "Scene";
     app.add_option("--scene", o.load.scene, "Which of the file's scenes (default: the file's own choice)")
         ->type_name("NAME|INDEX")
         ->group(group);
@@ -212,8 +212,7 @@ void declare_scene(CLI::App& app, RenderOptions& o) {
         ->group(group);
     app.add_option_function<std::string>(
            "--background", [&o](const std::string& text) { set_background(o, text); },
-           "Radiance where there is no map (default 0,0,0; without it a scene that has no light gets a soft "
-           "grey studio)")
+           "Radiance where there is no map (default 0,0,0)")
         ->type_name("R,G,B")
         ->group(group);
     app.add_option_function<std::string>(
@@ -259,6 +258,8 @@ void declare(CLI::App& app, RenderOptions& options) {
     declare_display(app, options);
     declare_image(app, options);
     declare_method(app, options);
+    declare_radiosity(app, options.radiosity);
+    declare_plot(app, options.plot);
     declare_scene(app, options);
     declare_device(app, options);
 }

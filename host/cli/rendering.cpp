@@ -1,5 +1,8 @@
 #include "cli/rendering.hpp"
 
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "render/render.hpp"
 #include "shaders/shared/film.glsl.h"
 
 #include <algorithm>
@@ -16,6 +19,14 @@ std::string samples_text(std::uint64_t count) {
 
 } // namespace
 
+void expect_possible(const RenderSettings& settings, std::string_view what) {
+    try {
+        check_settings(settings);
+    } catch (const Error& error) {
+        throw UsageError(fmt::format("{}{}", what, error.what()));
+    }
+}
+
 Device open_device(RenderOptions& o, ProgressDisplay& display) {
     if (!o.no_cache)
         o.device.cache_folder = default_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
@@ -25,13 +36,18 @@ Device open_device(RenderOptions& o, ProgressDisplay& display) {
     return Device(o.device);
 }
 
-SceneFile load_scene(RenderOptions& o, ProgressDisplay& display) {
+SceneFile read_scene(RenderOptions& o, ProgressDisplay& display) {
     display.stage("load");
     o.load.aspect = static_cast<float>(o.settings.width) / static_cast<float>(o.settings.height);
     o.load.warn = [&display](std::string_view line) { display.warning(line); };
     SceneFile scene = SceneFile::load(o.scene, o.load);
     if (!o.environment.empty()) scene.set_environment(o.environment, o.environment_options);
     if (o.background) std::copy(o.background->begin(), o.background->end(), o.settings.background);
+    return scene;
+}
+
+SceneFile load_scene(RenderOptions& o, ProgressDisplay& display) {
+    SceneFile scene = read_scene(o, display);
     if (!o.background && !scene.has_light()) {
         scene.set_default_environment();
         display.notice("the scene has no light: lit by a soft grey studio (see --env, --background)");

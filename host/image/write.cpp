@@ -36,19 +36,24 @@ const Target& find_target(const std::filesystem::path& path) {
                             extension, known));
 }
 
-// Encodes into memory, so that a full disk is noticed by one writer, write_file.
-void encode(const std::filesystem::path& path, const char* plugin, OIIO::ImageSpec spec, OIIO::TypeDesc type,
-            const void* values) {
+// In memory, so that a full disk is noticed by one writer, write_file. `name`: begins the errors' lines.
+std::vector<unsigned char> encoded(const std::string& name, const char* plugin, const OIIO::ImageSpec& spec,
+                                   OIIO::TypeDesc type, const void* values) {
     OIIO::Filesystem::IOVecOutput bytes;
     const auto output = OIIO::ImageOutput::create(plugin);
-    if (!output)
-        throw Error(fmt::format("{}: this build of OpenImageIO cannot write {}", path.string(), plugin));
-    const bool good = output->set_ioproxy(&bytes) && output->open(path.string(), spec) &&
+    if (!output) throw Error(fmt::format("{}: this build of OpenImageIO cannot write {}", name, plugin));
+    const bool good = output->set_ioproxy(&bytes) && output->open(name, spec) &&
                       output->write_image(type, values) && output->close();
     std::string message = output->geterror();
     std::replace(message.begin(), message.end(), '\n', ' ');
-    if (!good) throw Error(fmt::format("{}: cannot be encoded: {}", path.string(), message));
-    write_file(path, std::as_bytes(std::span(bytes.buffer())));
+    if (!good) throw Error(fmt::format("{}: cannot be encoded: {}", name, message));
+    return bytes.buffer();
+}
+
+void encode(const std::filesystem::path& path, const char* plugin, const OIIO::ImageSpec& spec,
+            OIIO::TypeDesc type, const void* values) {
+    const std::vector<unsigned char> bytes = encoded(path.string(), plugin, spec, type, values);
+    write_file(path, std::as_bytes(std::span(bytes)));
 }
 
 bool needs_full_floats(std::string_view layer) {
@@ -145,6 +150,16 @@ void write_image(const std::filesystem::path& path, const Image& image, const Wr
         write_hdr(path, image);
     else
         write_display(path, target.plugin, image, options);
+}
+
+std::vector<std::byte> encode_png(std::uint32_t width, std::uint32_t height, std::uint32_t channels,
+                                  std::span<const std::uint8_t> values) {
+    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), static_cast<int>(channels),
+                         OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1); // else colours are divided by alpha
+    const auto bytes = encoded("texture.png", "png", spec, OIIO::TypeDesc::UINT8, values.data());
+    const auto whole = std::as_bytes(std::span(bytes));
+    return {whole.begin(), whole.end()};
 }
 
 void check_output_name(const std::filesystem::path& path) {

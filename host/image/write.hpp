@@ -5,8 +5,11 @@
 #include "image/image.hpp"
 #include "image/tonemap.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace ajar {
 
@@ -25,6 +28,11 @@ struct WriteOptions {
 // values beyond half's 65504 are cut off there.
 // .png, .jpg, .jpeg: the beauty layer, tone-mapped, sRGB, 8 bits. .hdr: the beauty layer, RGBE.
 void write_image(const std::filesystem::path& path, const Image& image, const WriteOptions& options = {});
+
+// A texture as a PNG file in memory: eight bits a channel as they are, row 0 at the top, 1 (grey), 3 or 4
+// channels, alpha apart. decode_rgba8 gives the same values back.
+std::vector<std::byte> encode_png(std::uint32_t width, std::uint32_t height, std::uint32_t channels,
+                                  std::span<const std::uint8_t> values);
 
 // Throws the Error that write_image would, as far as the name can tell: to be called before hours of
 // rendering. The extension is known, the folder exists and is writable, the name is not a folder's.

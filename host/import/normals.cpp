@@ -1,5 +1,7 @@
 #include "import/normals.hpp"
 
+#include <cmath>
+
 namespace ajar::gltf {
 
 namespace {
@@ -25,6 +27,9 @@ template <class T> void unweld(std::vector<T>& values, const std::vector<glm::uv
     values = std::move(result);
 }
 
+// What is of unit length as floats have it keeps its bits, so that a file comes back as it was written.
+bool is_unit(double length) { return std::abs(length - 1) <= 0x1p-22; }
+
 } // namespace
 
 void make_flat_normals(Primitive& primitive) {
@@ -46,6 +51,7 @@ void repair_normals(Primitive& primitive) {
     for (std::size_t i = 0; i < primitive.normals.size(); ++i) {
         const glm::dvec3 n(primitive.normals[i]);
         const double length = glm::length(n);
+        if (is_unit(length)) continue;
         if (length > 0 && std::isfinite(length)) {
             primitive.normals[i] = glm::vec3(n / length);
             continue;

@@ -191,7 +191,10 @@ void repair_tangents(Primitive& primitive) {
         glm::vec4& tangent = primitive.tangents[i];
         const float length = glm::length(glm::vec3(tangent));
         const bool is_usable = length > 0 && std::isfinite(length);
-        const glm::vec3 unit = is_usable ? glm::vec3(tangent) / length : perpendicular(primitive.normals[i]);
+        const bool is_unit = std::abs(length - 1) <= 0x1p-22f; // keeps its bits
+        const glm::vec3 unit = is_unit     ? glm::vec3(tangent)
+                               : is_usable ? glm::vec3(tangent) / length
+                                           : perpendicular(primitive.normals[i]);
         tangent = glm::vec4(unit, tangent.w < 0 ? -1.0f : 1.0f);
     }
 }

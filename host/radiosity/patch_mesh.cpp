@@ -56,7 +56,7 @@ void check_count(const PatchMesh& mesh, const PatchOptions& options) {
     const double least = size > 0 ? area / (0.25 * std::sqrt(3.0) * size * size) : 0;
     if (least > MAX_PATCHES || options.patches > MAX_PATCHES)
         throw Error(fmt::format("radiosity: {} makes more than {} patches (choose {})",
-                                least > MAX_PATCHES ? fmt::format("a patch size of {} m", size)
+                                least > MAX_PATCHES ? fmt::format("a patch size of {:g} m", size)
                                                     : fmt::format("{} patches or more", options.patches),
                                 MAX_PATCHES, least > MAX_PATCHES ? "a larger one" : "fewer"));
 }
@@ -66,8 +66,7 @@ void check_count(const PatchMesh& mesh, const PatchOptions& options) {
 glm::uvec3 PatchMesh::mesh_triangle(const Scene& scene, const PatchSource& source) {
     const Instance& instance = scene.instances[source.instance];
     const glm::uvec3 t = scene.meshes[instance.mesh].triangles[source.triangle];
-    const bool mirrored = glm::determinant(glm::mat3(instance.to_world)) < 0;
-    return mirrored ? glm::uvec3(t.x, t.z, t.y) : t;
+    return mirrors(instance.to_world) ? glm::uvec3(t.x, t.z, t.y) : t;
 }
 
 PatchMesh PatchMesh::subdivide(const Scene& scene, const PatchOptions& options) {

@@ -4,7 +4,8 @@
 // join without cracks. A patch has two sides, see shared/patch.glsl.h.
 #pragma once
 
-#include "render/geometry_table.hpp"
+#include "radiosity/settings.hpp"
+#include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/patch.glsl.h"
 
@@ -29,12 +30,6 @@ struct PatchSource {
     std::uint32_t triangle = 0; // of its mesh
     std::uint32_t material = 0; // Scene::materials
     std::uint32_t root = 0;     // PatchMesh::nodes: its own index in PatchMesh::sources
-};
-
-// At least one of the two; with both, both hold.
-struct PatchOptions {
-    float patch_size = 0;      // metres: no edge is longer; 0: no limit
-    std::uint32_t patches = 0; // at least so many (where floats can tell their corners apart)
 };
 
 // A place within a patch, in its barycentrics (of its 2nd and 3rd vertex).

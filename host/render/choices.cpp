@@ -27,6 +27,9 @@ constexpr IntegratorRow INTEGRATORS[] = {
     {{"normals", "shading normals as colours"}, make_normals_integrator},
     {{"albedo", "reflectance of what the camera sees"}, make_albedo_integrator},
     {{"ao", "ambient occlusion within a distance"}, make_ao_integrator, true},
+    {.choice = {"radiosity", "finite elements: what `ajar radiosity` solves, shown by --shading"},
+     .make = make_patch_integrator,
+     .shows_patches = true},
 };
 
 struct ConstantRow {
@@ -38,6 +41,11 @@ struct ConstantRow {
 constexpr std::uint32_t TRIANGLES_AS_THEY_ARE = 0;
 constexpr std::uint32_t TRIANGLES_WIDE = 1;
 constexpr std::uint32_t TRIANGLES_SMALL = 2;
+
+// What choose_environment_sampling makes of them is an EnvironmentDensity.
+constexpr std::uint32_t ENVIRONMENT_BY_STRATEGY = 0;
+constexpr std::uint32_t ENVIRONMENT_RADIANCE = 1;
+constexpr std::uint32_t ENVIRONMENT_COMPENSATED = 2;
 
 constexpr ConstantRow STRATEGIES[] = {
     {{"mis", "both, combined by multiple importance sampling"}, shared::STRATEGY_MIS},
@@ -81,6 +89,21 @@ constexpr ConstantRow TRIANGLE_SAMPLINGS[] = {
     {{"area", "evenly over its area: quicker, noisier near large ones"}, TRIANGLES_SMALL},
 };
 
+constexpr ConstantRow SHADINGS[] = {
+    {{"smooth", "irradiance interpolated between patches' corners"},
+     static_cast<std::uint32_t>(Shading::smooth)},
+    {{"flat", "patches of constant radiance"}, static_cast<std::uint32_t>(Shading::flat)},
+    {{"gather", "one bounce of path tracing that sees patches: a final gather"},
+     static_cast<std::uint32_t>(Shading::gather)},
+};
+
+constexpr ConstantRow ENVIRONMENT_SAMPLINGS[] = {
+    {{"auto", "compensated with strategy mis, else radiance"}, ENVIRONMENT_BY_STRATEGY},
+    {{"radiance", "in proportion to radiance"}, ENVIRONMENT_RADIANCE},
+    {{"compensated", "to what it has above its mean: strategy mis finds the rest by BSDF sampling"},
+     ENVIRONMENT_COMPENSATED},
+};
+
 constexpr ConstantRow FILTERS[] = {
     {{"box", "the pixel's square (radius 0.5)"}, shared::FILTER_BOX},
     {{"gaussian", "a bell cut at its radius (1.5)"}, shared::FILTER_GAUSSIAN},
@@ -101,6 +124,8 @@ constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
 constexpr auto SAMPLER_CHOICES = choices_of(SAMPLERS);
 constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
 constexpr auto TRIANGLE_SAMPLING_CHOICES = choices_of(TRIANGLE_SAMPLINGS);
+constexpr auto SHADING_CHOICES = choices_of(SHADINGS);
+constexpr auto ENVIRONMENT_SAMPLING_CHOICES = choices_of(ENVIRONMENT_SAMPLINGS);
 constexpr auto FILTER_CHOICES = choices_of(FILTERS);
 
 template <class Row>
@@ -123,6 +148,8 @@ std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
 std::span<const Choice> samplers() { return SAMPLER_CHOICES; }
 std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
 std::span<const Choice> triangle_samplings() { return TRIANGLE_SAMPLING_CHOICES; }
+std::span<const Choice> shadings() { return SHADING_CHOICES; }
+std::span<const Choice> environment_samplings() { return ENVIRONMENT_SAMPLING_CHOICES; }
 std::span<const Choice> pixel_filters() { return FILTER_CHOICES; }
 
 const IntegratorRow& find_integrator(std::string_view name) {
@@ -146,6 +173,9 @@ std::uint32_t find_sampler(std::string_view name) {
 std::uint32_t find_naive_sampling(std::string_view name) {
     return find(std::span<const ConstantRow>(NAIVE_SAMPLINGS), "naive sampling", name).constant;
 }
+Shading find_shading(std::string_view name) {
+    return static_cast<Shading>(find(std::span<const ConstantRow>(SHADINGS), "shading", name).constant);
+}
 std::uint32_t choose_triangle_sampling(std::string_view name, std::uint32_t features) {
     const std::uint32_t wanted =
         find(std::span<const ConstantRow>(TRIANGLE_SAMPLINGS), "triangle sampling", name).constant;
@@ -153,6 +183,20 @@ std::uint32_t choose_triangle_sampling(std::string_view name, std::uint32_t feat
         return features;
     const std::uint32_t others = features & ~shared::FEATURE_WIDE_TRIANGLES;
     return wanted == TRIANGLES_WIDE ? others | shared::FEATURE_WIDE_TRIANGLES : others;
+}
+
+EnvironmentDensity choose_environment_sampling(const RenderSettings& s) {
+    const std::uint32_t wanted = find(std::span<const ConstantRow>(ENVIRONMENT_SAMPLINGS),
+                                      "environment sampling", s.environment_sampling)
+                                     .constant;
+    const std::uint32_t strategy = find_strategy(s.strategy);
+    if (wanted == ENVIRONMENT_COMPENSATED && strategy == shared::STRATEGY_LIGHT)
+        throw Error(
+            "environment sampling 'compensated': strategy 'light' would miss the dim parts of the map "
+            "(use strategy 'mis', or environment sampling 'radiance')");
+    return wanted != ENVIRONMENT_RADIANCE && strategy == shared::STRATEGY_MIS
+               ? EnvironmentDensity::compensated
+               : EnvironmentDensity::radiance;
 }
 
 } // namespace ajar

@@ -1,6 +1,7 @@
 // The density of a cell is in proportion to the bilinear lookup's luminance averaged over it, so it is
 // positive wherever the lookup is: the environment is never missed, and its bright spots are found in
-// proportion.
+// proportion. Compensated, it is in proportion to what that luminance has above the mean over the sphere
+// (Karlik et al. 2019).
 #include "render/environment_table.hpp"
 
 #include "base/error.hpp"
@@ -59,6 +60,9 @@ struct Cells {
     std::uint32_t columns = 0;
     std::uint32_t rows = 0;
     std::vector<double> powers; // columns * rows
+
+    // Where that row or column begins, in texels of `size`.
+    std::uint32_t edge(std::uint32_t cell, std::uint32_t size) const { return std::min(cell << shift, size); }
 };
 
 Cells measure_cells(const Environment& environment) {
@@ -84,6 +88,29 @@ Cells measure_cells(const Environment& environment) {
         }
     });
     return cells;
+}
+
+// Takes the mean over the sphere from every cell, as far as it has so much, and gives the share of all light
+// that is left. What floats cannot tell from the mean is the mean.
+double compensate(const Environment& environment, Cells& cells) {
+    constexpr double ROUNDING = 0x1p-24;
+    double total = 0;
+    for (const double power : cells.powers) total += power;
+    const double mean = total / (4 * std::numbers::pi);
+    const std::uint32_t width = environment.width;
+    const std::uint32_t height = environment.height;
+    double left = 0;
+    for (std::uint32_t row = 0; row < cells.rows; ++row) {
+        const double band = band_solid_angle(height, cells.edge(row, height), cells.edge(row + 1, height));
+        for (std::uint32_t column = 0; column < cells.columns; ++column) {
+            const std::uint32_t texels = cells.edge(column + 1, width) - cells.edge(column, width);
+            const double usual = mean * band * texels / width;
+            double& power = cells.powers[std::size_t{row} * cells.columns + column];
+            power = power > usual * (1 + ROUNDING) ? power - usual : 0;
+            left += power;
+        }
+    }
+    return total > 0 ? left / total : 0;
 }
 
 } // namespace
@@ -119,15 +146,16 @@ void append_search_trees(std::vector<glm::uvec4>& words, std::span<const std::ui
     }
 }
 
-EnvironmentTable build_environment_table(const Environment& environment) {
+EnvironmentTable build_environment_table(const Environment& environment, EnvironmentDensity density_of) {
     EnvironmentTable table;
     if (environment.radiance.empty()) return table;
     if (std::max(environment.width, environment.height) > 65536)
         throw Error("environment '" + environment.name + "': more than 65536 texels across (scale it down)");
-    const Cells cells = measure_cells(environment);
+    Cells cells = measure_cells(environment);
     table.width = environment.width;
     table.height = environment.height;
     table.cell_shift = cells.shift;
+    if (density_of == EnvironmentDensity::compensated) table.share = compensate(environment, cells);
 
     std::vector<double> row_powers(cells.rows);
     std::vector<std::uint32_t> columns(cells.powers.size());
@@ -137,17 +165,17 @@ EnvironmentTable build_environment_table(const Environment& environment) {
         const std::vector<std::uint32_t> masses = environment_masses(powers);
         std::copy(masses.begin(), masses.end(), columns.begin() + std::ptrdiff_t{row} * cells.columns);
     });
-    const std::vector<std::uint32_t> rows = environment_masses(row_powers);
+    std::vector<std::uint32_t> rows = environment_masses(row_powers);
 
-    const std::uint32_t side = 1u << cells.shift;
     table.words.resize(environment.radiance.size());
     tbb::parallel_for(std::uint32_t{0}, table.height, [&](std::uint32_t y) {
         const std::uint32_t row = y >> cells.shift;
-        const std::uint32_t top = row << cells.shift;
-        const double band = band_solid_angle(table.height, top, std::min(top + side, table.height));
+        const double band =
+            band_solid_angle(table.height, cells.edge(row, table.height), cells.edge(row + 1, table.height));
         for (std::uint32_t x = 0; x < table.width; ++x) {
             const std::uint32_t column = x >> cells.shift;
-            const std::uint32_t cell_width = std::min(side, table.width - (column << cells.shift));
+            const std::uint32_t cell_width =
+                cells.edge(column + 1, table.width) - cells.edge(column, table.width);
             const double units = 1.0 * rows[row] * columns[std::size_t{row} * cells.columns + column];
             const auto density =
                 static_cast<float>(units / (1.0 * UNITS * UNITS) / (band * cell_width / table.width));
@@ -156,6 +184,9 @@ EnvironmentTable build_environment_table(const Environment& environment) {
                 std::bit_cast<glm::uvec4>(glm::vec4(clean(environment.radiance[texel]), density));
         }
     });
+    // Inversion has to end somewhere even then: in the first cell, whose density stays 0.
+    if (std::all_of(rows.begin(), rows.end(), [](std::uint32_t mass) { return mass == 0; }))
+        rows[0] = columns[0] = UNITS;
     append_search_trees(table.words, rows, 1, cells.rows);
     append_search_trees(table.words, columns, cells.rows, cells.columns);
     return table;

@@ -1,7 +1,6 @@
 #include "render/gpu_scene.hpp"
 
 #include "render/emissive_triangles.hpp"
-#include "render/environment_table.hpp"
 #include "render/geometry_table.hpp"
 #include "render/light_table.hpp"
 #include "render/material_table.hpp"
@@ -55,7 +54,7 @@ GpuScene::GpuScene(const gpu::Device& device, const Scene& scene, const GpuScene
     build_geometry(scene, options, host);
     std::optional<Environment> environment = scene.environment;
     if (!environment && options.background != glm::vec3(0)) environment.emplace().scale = options.background;
-    place_environment(environment, host);
+    place_environment(environment, options.environment_density, host);
     build_lights(scene, environment, host, options.dark_triangles);
     upload(device, host);
     triangle_sources_ = std::move(host.geometry.sources);
@@ -84,7 +83,8 @@ void GpuScene::build_geometry(const Scene& scene, const GpuSceneOptions& options
     frame_.scene_radius = std::max(0.5f * glm::length(bounds.upper - bounds.lower), 1e-30f);
 }
 
-void GpuScene::place_environment(const std::optional<Environment>& chosen, Host& host) {
+void GpuScene::place_environment(const std::optional<Environment>& chosen, EnvironmentDensity density,
+                                 Host& host) {
     frame_.environment_cos = 1;
     if (!chosen) return;
     const Environment& environment = *chosen;
@@ -92,7 +92,7 @@ void GpuScene::place_environment(const std::optional<Environment>& chosen, Host&
         frame_.background = environment.scale;
         return;
     }
-    host.environment = build_environment_table(environment);
+    host.environment = build_environment_table(environment, density);
     frame_.environment_width = host.environment.width;
     frame_.environment_height = host.environment.height;
     frame_.environment_scale = environment.scale;
@@ -121,7 +121,7 @@ void GpuScene::build_lights(const Scene& scene, const std::optional<Environment>
     Scene lighting; // what the table looks at
     lighting.lights = scene.lights;
     lighting.environment = environment;
-    host.lights = build_light_table(lighting, emitters, frame_.scene_radius, spheres);
+    host.lights = build_light_table(lighting, emitters, frame_.scene_radius, spheres, host.environment.share);
     features_ |= host.lights.features;
     if (dark_triangles) features_ |= FEATURE_SOFT_LIGHTS; // heeds LIGHT_ELSEWHERE
     host.lights.describe(frame_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/bindings.hpp"
+#include "render/environment_table.hpp"
 #include "render/surface_index.hpp"
 #include "scene/scene.hpp"
 #include "shaders/shared/bindings.glsl.h"
@@ -17,7 +18,8 @@ namespace ajar {
 struct GpuSceneOptions {
     bool cull_backfaces = false;
     glm::vec3 background{0, 0, 0}; // a constant environment where the scene has none; radiance
-    std::uint64_t bake_below_triangles = 1u << 20; // see GeometryOptions
+    std::uint64_t bake_below_triangles = 1u << 20;                         // see GeometryOptions
+    EnvironmentDensity environment_density = EnvironmentDensity::radiance; // of a map
     bool dark_triangles = false;                   // no triangle emits; other lights, spheres among them, do
     bool operator==(const GpuSceneOptions&) const = default;
 };
@@ -50,7 +52,8 @@ class GpuScene {
   private:
     struct Host; // the tables before they are uploaded
     void build_geometry(const Scene& scene, const GpuSceneOptions& options, Host& host);
-    void place_environment(const std::optional<Environment>& environment, Host& host);
+    void place_environment(const std::optional<Environment>& environment, EnvironmentDensity density,
+                           Host& host);
     void build_lights(const Scene& scene, const std::optional<Environment>& environment, Host& host,
                       bool dark_triangles);
     void upload(const gpu::Device& device, const Host& host);

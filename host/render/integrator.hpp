@@ -81,6 +81,7 @@ struct IntegratorRow {
     Choice choice;
     std::unique_ptr<Integrator> (*make)(const IntegratorContext&);
     bool from_surfaces = false; // it heeds the context's
+    bool shows_patches = false; // it needs what radiosity found for them
 };
 
 std::unique_ptr<Integrator> make_path_integrator(const IntegratorContext& context);
@@ -88,5 +89,6 @@ std::unique_ptr<Integrator> make_naive_integrator(const IntegratorContext& conte
 std::unique_ptr<Integrator> make_normals_integrator(const IntegratorContext& context);
 std::unique_ptr<Integrator> make_albedo_integrator(const IntegratorContext& context);
 std::unique_ptr<Integrator> make_ao_integrator(const IntegratorContext& context);
+std::unique_ptr<Integrator> make_patch_integrator(const IntegratorContext& context);
 
 } // namespace ajar

@@ -27,18 +27,22 @@ std::uint8_t to_byte(double visibility) {
 } // namespace
 
 std::vector<std::uint8_t> freeze_cell(std::span<const VisibilityCount> counts) {
-    std::array<VisibilityCount, 2 * VISIBILITY_CLUSTERS> nodes{}; // as in a heap
+    // As in a heap of fours: the nodes of a level are those from a power of four up to twice that.
+    std::array<VisibilityCount, VISIBILITY_CELL_BYTES> nodes{};
     for (std::uint32_t c = 0; c < VISIBILITY_CLUSTERS; ++c) nodes[VISIBILITY_CLUSTERS + c] = counts[c];
-    for (std::uint32_t k = VISIBILITY_CLUSTERS - 1; k > 0; --k) {
-        nodes[k].traced = nodes[2 * k].traced + nodes[2 * k + 1].traced;
-        nodes[k].arrived = nodes[2 * k].arrived + nodes[2 * k + 1].arrived;
-    }
-    std::array<double, 2 * VISIBILITY_CLUSTERS> shares{};
-    std::vector<std::uint8_t> bytes(VISIBILITY_CELL_BYTES);
-    bytes[0] = to_byte(share(counts[VISIBILITY_CLUSTERS], 1)); // distant lights
-    shares[1] = share(nodes[1], 1);
-    for (std::uint32_t k = 2; k < nodes.size(); ++k) shares[k] = share(nodes[k], shares[k / 2]);
-    for (std::uint32_t k = 1; k < nodes.size(); ++k) bytes[k] = to_byte(shares[k]);
+    for (std::uint32_t level = VISIBILITY_CLUSTERS; level > 1; level /= 4)
+        for (std::uint32_t k = level; k < 2 * level; ++k) {
+            nodes[k / 4].traced += nodes[k].traced;
+            nodes[k / 4].arrived += nodes[k].arrived;
+        }
+    std::array<double, VISIBILITY_CELL_BYTES> shares{};
+    std::vector<std::uint8_t> bytes(VISIBILITY_CELL_BYTES, 255); // nodes that there are not: never read
+    bytes[0] = to_byte(share(counts[VISIBILITY_CLUSTERS], 1));   // distant lights
+    for (std::uint32_t level = 1; level <= VISIBILITY_CLUSTERS; level *= 4)
+        for (std::uint32_t k = level; k < 2 * level; ++k) {
+            shares[k] = share(nodes[k], k == 1 ? 1 : shares[k / 4]);
+            bytes[k] = to_byte(shares[k]);
+        }
     return bytes;
 }
 

@@ -57,7 +57,8 @@ void add_distant(const std::vector<double>& weights, LightTable& table) {
 // Lights in the order of LightTable::lights, with what the distributions are made of.
 class Builder {
   public:
-    Builder(const Scene& scene, float scene_radius) : scene_(scene), radius_(scene_radius) {}
+    Builder(const Scene& scene, float scene_radius, double environment_share)
+        : scene_(scene), radius_(scene_radius), environment_share_(environment_share) {}
 
     LightTable build(std::span<const EmissiveTriangle> triangles, std::span<const EmissiveSphere> spheres) {
         for (const EmissiveTriangle& t : triangles)
@@ -112,14 +113,15 @@ class Builder {
         record.kind = shared::LIGHT_ENVIRONMENT;
         record.radiance = environment.scale;
         table_.environment_light = static_cast<std::uint32_t>(table_.lights.size());
-        add(record, light_power(environment, radius_),
+        add(record, environment_share_ * light_power(environment, radius_),
             environment.radiance.empty() ? shared::FEATURE_CONSTANT_ENVIRONMENT
                                          : shared::FEATURE_ENVIRONMENT_MAP,
-            {}, distant_irradiance(environment));
+            {}, environment_share_ * distant_irradiance(environment));
     }
 
     const Scene& scene_;
     float radius_;
+    double environment_share_;
     LightTable table_;
     std::vector<LightBounds> bounds_; // per light; without intensity: not in the tree
     std::vector<double> irradiances_; // per light
@@ -128,8 +130,9 @@ class Builder {
 } // namespace
 
 LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
-                             float scene_radius, std::span<const EmissiveSphere> spheres) {
-    return Builder(scene, scene_radius).build(triangles, spheres);
+                             float scene_radius, std::span<const EmissiveSphere> spheres,
+                             double environment_share) {
+    return Builder(scene, scene_radius, environment_share).build(triangles, spheres);
 }
 
 namespace {
@@ -142,9 +145,10 @@ struct Layout {
         const auto size = [](const auto& part) { return static_cast<std::uint32_t>(part.size()); };
         alias = size(table.lights) * shared::LIGHT_TEXELS;
         distant = alias + size(table.alias);
-        // Pairs do not straddle cache lines.
+        // Nodes do not straddle cache lines.
         tree = (distant + size(table.distant) + 3u) / 4u * 4u;
-        trails = tree + size(table.tree.nodes) * (shared::LIGHT_TREE_PAIR_TEXELS / 2);
+        const std::uint32_t nodes = table.tree.empty ? 0 : 1 + size(table.tree.nodes); // and the root
+        trails = tree + nodes * shared::LIGHT_TREE_NODE_TEXELS;
         end = trails + (size(table.tree.trails) + 3u) / 4u;
     }
 };
@@ -161,7 +165,10 @@ std::vector<glm::uvec4> LightTable::words() const {
     put(0, lights);
     put(at.alias, alias);
     put(at.distant, distant);
-    put(at.tree, tree.nodes);
+    if (!tree.empty) {
+        std::memcpy(result.data() + at.tree, &tree.root, sizeof tree.root);
+        put(at.tree + shared::LIGHT_TREE_NODE_TEXELS, tree.nodes);
+    }
     put(at.trails, tree.trails);
     return result;
 }
@@ -177,7 +184,7 @@ void LightTable::describe(shared::FrameRecord& frame) const {
     frame.distant_slots = static_cast<std::uint32_t>(distant.size());
     frame.distant_irradiance = distant_irradiance;
     frame.tree_first = at.tree;
-    frame.tree_nodes = static_cast<std::uint32_t>(tree.nodes.size());
+    frame.tree_lights = tree.empty ? 0 : 1;
     frame.trails_first = at.trails;
 }
 

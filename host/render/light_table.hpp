@@ -59,10 +59,12 @@ struct LightTable {
 };
 
 // scene_radius: of a sphere around the scene, metres; the environment and directional lights shine through
-// its disk. At most MAX_SOFT_LIGHTS spheres. Lights without power have a pmf of 0, but uniform picking
-// still finds them. Throws Error for too many lights.
+// its disk. At most MAX_SOFT_LIGHTS spheres. environment_share: of the environment's light, that which light
+// sampling is to find (EnvironmentTable::share); it counts with no more. Lights without power have a pmf of
+// 0, but uniform picking still finds them. Throws Error for too many lights.
 LightTable build_light_table(const Scene& scene, std::span<const EmissiveTriangle> triangles,
-                             float scene_radius, std::span<const EmissiveSphere> spheres = {});
+                             float scene_radius, std::span<const EmissiveSphere> spheres = {},
+                             double environment_share = 1);
 
 // Watts, luminance-weighted.
 double light_power(const EmissiveTriangle& triangle);

@@ -1,201 +1,97 @@
+// The wide light tree: what a node takes in, and in what order its nodes lie.
 #include "render/light_tree.hpp"
 
 #include "base/clock.hpp"
 #include "base/error.hpp"
-#include "render/octahedral.hpp"
+#include "render/light_tree_binary.hpp"
+#include "render/light_tree_code.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
-#include <tbb/parallel_invoke.h>
 
 namespace ajar {
 
 namespace {
 
-using shared::LightTreeNode;
-
 constexpr std::size_t MAX_LIGHTS = 1u << 24;
-constexpr std::size_t PARALLEL_LIGHTS = 4096; // fewer are one thread's work
-constexpr std::uint32_t BINS = 12;
-// Cones are widened by what octahedral directions and float arithmetic may be off, radians.
-constexpr float CONE_SLACK = 2e-4f;
 
-struct Item {
-    LightBounds bounds;
-    std::uint32_t light = 0;
-    glm::vec3 center() const { return 0.5f * bounds.lower + 0.5f * bounds.upper; }
-};
-
-// What a side of a split costs, from sums alone: binning thousands of lights needs no exact cones.
-struct Side {
-    glm::vec3 lower{INFINITY};
-    glm::vec3 upper{-INFINITY};
-    glm::vec3 normals{0}; // weighted by intensity; lights without a direction of their own add nothing
-    float intensity = 0;
-    std::uint32_t count = 0;
-
-    void add(const Item& item) {
-        lower = glm::min(lower, item.bounds.lower);
-        upper = glm::max(upper, item.bounds.upper);
-        const auto weight = static_cast<float>(item.bounds.intensity);
-        const bool flat = item.bounds.cos_normals > 0 && !item.bounds.two_sided;
-        if (flat) normals += weight * item.bounds.axis;
-        intensity += weight;
-        ++count;
-    }
-    void add(const Side& other) {
-        lower = glm::min(lower, other.lower);
-        upper = glm::max(upper, other.upper);
-        normals += other.normals;
-        intensity += other.intensity;
-        count += other.count;
-    }
-    // Intensity times solid angle times squared extent. Normals spread evenly in a cone have a mean of length
-    // (1 + cos) / 2; the solid angle that flat lights with such normals reach grows from pi to 4 pi.
-    float cost() const {
-        if (count == 0 || !(intensity > 0)) return 0;
-        const float alike = glm::length(normals) / intensity;
-        const glm::vec3 extent = upper - lower;
-        return intensity * (1 + 3 * (1 - std::min(alike, 1.0f))) * glm::dot(extent, extent);
-    }
-};
-
-struct Split {
-    float cost = INFINITY;
-    int axis = -1;
-    std::uint32_t bin = 0; // the last one of the left side
-};
-
-struct Binning {
-    glm::vec3 lower{INFINITY};
-    glm::vec3 scale{0};
-    glm::vec3 extent{0};
-
-    explicit Binning(std::span<const Item> items) {
-        glm::vec3 upper(-INFINITY);
-        for (const Item& item : items) {
-            lower = glm::min(lower, item.center());
-            upper = glm::max(upper, item.center());
-        }
-        extent = upper - lower;
-        for (int a = 0; a < 3; ++a) {
-            const float wanted = static_cast<float>(BINS) / extent[a];
-            scale[a] = std::isfinite(wanted) ? wanted : 0;
-        }
-    }
-    std::uint32_t bin(const Item& item, int axis) const {
-        const float at = (item.center()[axis] - lower[axis]) * scale[axis];
-        return std::min(static_cast<std::uint32_t>(std::max(at, 0.0f)), BINS - 1);
-    }
-    Split best(std::span<const Item> items) const {
-        std::array<std::array<Side, BINS>, 3> sides;
-        for (const Item& item : items)
-            for (int a = 0; a < 3; ++a) sides[static_cast<std::size_t>(a)][bin(item, a)].add(item);
-        const float longest = std::max({extent.x, extent.y, extent.z});
-        Split split;
-        for (int a = 0; a < 3; ++a) {
-            if (scale[a] == 0) continue;
-            const auto& bins = sides[static_cast<std::size_t>(a)];
-            std::array<float, BINS> right_costs{};
-            Side right;
-            for (std::uint32_t b = BINS - 1; b > 0; --b) {
-                right.add(bins[b]);
-                right_costs[b - 1] = right.count == 0 ? INFINITY : right.cost();
-            }
-            Side left;
-            for (std::uint32_t b = 0; b + 1 < BINS; ++b) {
-                left.add(bins[b]);
-                if (left.count == 0) continue;
-                // Thin boxes are charged for: spheres around them are mostly empty.
-                const float cost = (left.cost() + right_costs[b]) * (longest / extent[a]);
-                if (cost < split.cost) split = {cost, a, b};
-            }
-        }
-        return split;
-    }
-};
-
-LightTreeNode encode(const LightBounds& b, std::uint32_t child) {
-    LightTreeNode node{};
-    node.center = 0.5f * b.lower + 0.5f * b.upper;
-    node.radius = 0.5f * glm::length(b.upper - b.lower) * (1 + 1e-5f);
-    node.axis = octahedral_encode(b.axis);
-    const auto snorm = [](float cosine, float slack) {
-        const float wider =
-            std::cos(std::min(std::acos(std::clamp(cosine, -1.0f, 1.0f)) + slack, std::numbers::pi_v<float>));
-        return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(wider * 32767.0f))) & 0xffffu;
-    };
-    node.cones = snorm(b.cos_normals, CONE_SLACK) | snorm(b.cos_emission, 0) << 16;
-    node.intensity = static_cast<float>(std::min(b.intensity, 1e30)); // sums and ratios stay finite
-    node.child = child | (b.two_sided ? shared::LIGHT_TREE_TWO_SIDED : 0u);
-    return node;
-}
-
-class Builder {
+// Makes the wide tree of the binary one: a node takes in its descendants, the one that may light most of its
+// surroundings first, until it has four children.
+class Collapser {
   public:
-    Builder(std::vector<Item> items, LightTree& tree) : items_(std::move(items)), tree_(tree) {}
+    Collapser(std::vector<BinaryNode> binary, LightTree& tree) : binary_(std::move(binary)), tree_(tree) {}
 
-    void build() {
-        tree_.nodes.resize(2 * items_.size());
-        const Built root = build(items_, 1, 0, 0);
-        tree_.nodes[0] = encode(root.bounds, root.child);
-        tree_.depth = root.depth;
+    void collapse() {
+        Sphere sphere;
+        tree_.root = encode_light_tree_root(binary_[0].bounds, sphere);
+        tree_.empty = false;
+        if (binary_[0].is_light()) {
+            tree_.root.child |= binary_[0].child;
+            tree_.trails[binary_[0].light()] = 0;
+            return;
+        }
+        tree_.nodes.resize(1);
+        fill(0, binary_[0], sphere, 0, 0);
     }
 
   private:
-    struct Built {
-        LightBounds bounds;
-        std::uint32_t child; // the node's, see LightTreeNode
-        std::uint32_t depth; // decisions below
-    };
+    using Children = std::vector<const BinaryNode*>;
 
-    // The subtree over `items`, whose pairs are those from `pair` on: one fewer than it has lights.
-    Built build(std::span<Item> items, std::uint32_t pair, std::uint32_t depth, std::uint32_t trail) {
-        if (items.size() == 1) {
-            tree_.trails[items[0].light] = trail;
-            return {items[0].bounds, items[0].light | shared::LIGHT_TREE_LEAF, 0};
-        }
-        const std::size_t middle = partition(items, depth);
-        const auto left_count = static_cast<std::uint32_t>(middle);
-        Built left{};
-        Built right{};
-        const auto build_left = [&] { left = build(items.first(middle), pair + 1, depth + 1, trail); };
-        const auto build_right = [&] {
-            right = build(items.subspan(middle), pair + left_count, depth + 1, trail | 1u << depth);
-        };
-        if (items.size() < PARALLEL_LIGHTS) {
-            build_left();
-            build_right();
-        } else {
-            tbb::parallel_invoke(build_left, build_right);
-        }
-        tree_.nodes[2 * pair] = encode(left.bounds, left.child);
-        tree_.nodes[2 * pair + 1] = encode(right.bounds, right.child);
-        return {merge(left.bounds, right.bounds), pair, 1 + std::max(left.depth, right.depth)};
+    void take_in(Children& children, std::size_t k) const {
+        const std::uint32_t first = children[k]->child;
+        children[k] = &binary_[first];
+        children.push_back(&binary_[first + 1]);
     }
 
-    // How many items form the left side; at least one on each. Halves where nothing tells them apart, and
-    // where the depth that is left is only just enough for halves.
-    static std::size_t partition(std::span<Item> items, std::uint32_t depth) {
-        const std::uint32_t left = shared::LIGHT_TREE_MAX_DEPTH - depth;
-        if (static_cast<std::uint32_t>(std::bit_width(items.size() - 1)) < left) {
-            const Binning binning(items);
-            const Split split = binning.best(items);
-            if (split.axis >= 0) {
-                const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) {
-                    return binning.bin(item, split.axis) <= split.bin;
-                });
-                return static_cast<std::size_t>(middle - items.begin());
+    // Nodes before lights. Two levels of the binary tree where every level counts, so that trails are long
+    // enough.
+    Children children_of(const BinaryNode& node, std::uint32_t depth) const {
+        Children children{&binary_[node.child], &binary_[node.child + 1]};
+        if (node.height >= 2 * (shared::LIGHT_TREE_MAX_DEPTH - depth)) {
+            for (std::size_t k = 0; k < 2; ++k)
+                if (!children[k]->is_light()) take_in(children, k);
+        }
+        while (children.size() < 4) {
+            const auto greatest =
+                std::max_element(children.begin(), children.end(),
+                                 [](const auto* a, const auto* b) { return a->reach() < b->reach(); });
+            if ((*greatest)->is_light()) break;
+            take_in(children, static_cast<std::size_t>(greatest - children.begin()));
+        }
+        std::stable_partition(children.begin(), children.end(), [](const auto* c) { return !c->is_light(); });
+        return children;
+    }
+
+    // Node `index`, which has its place already, and everything below it.
+    void fill(std::uint32_t index, const BinaryNode& binary, const Sphere& sphere, std::uint32_t depth,
+              std::uint32_t trail) {
+        const Children children = children_of(binary, depth);
+        std::vector<const LightBounds*> bounds;
+        for (const BinaryNode* child : children) bounds.push_back(&child->bounds);
+        std::array<Sphere, 4> spheres;
+        shared::LightTreeNode node = encode_light_tree_node(bounds, sphere, spheres);
+        const auto first = static_cast<std::uint32_t>(tree_.nodes.size());
+        const auto nodes = static_cast<std::uint32_t>(
+            std::count_if(children.begin(), children.end(), [](const auto* c) { return !c->is_light(); }));
+        node.nodes = nodes << shared::LIGHT_TREE_COUNT_SHIFT | first;
+        tree_.nodes.resize(first + nodes);
+        tree_.depth = std::max(tree_.depth, depth + 1);
+        for (std::uint32_t k = 0; k < children.size(); ++k) {
+            const std::uint32_t way = trail | k << (shared::LIGHT_TREE_TRAIL_TOP - 2 - 2 * depth);
+            if (k < nodes) {
+                fill(first + k, *children[k], spheres[k], depth + 1, way);
+            } else {
+                node.lights[k] = children[k]->light();
+                tree_.trails[node.lights[k]] = way;
             }
         }
-        return items.size() / 2;
+        tree_.nodes[index] = node;
     }
 
-    std::vector<Item> items_;
+    std::vector<BinaryNode> binary_;
     LightTree& tree_;
 };
 
@@ -228,7 +124,7 @@ LightBounds merge(const LightBounds& a, const LightBounds& b) {
         both.cos_normals = -1;
         return both;
     }
-    if (!(length > 1e-6f)) return both; // the same axis but for rounding, which CONE_SLACK covers
+    if (!(length > 1e-6f)) return both; // the same axis but for rounding
     const float turn = angle - wide;
     both.axis = glm::normalize(std::cos(turn) * wider.axis + std::sin(turn) / length * across);
     both.cos_normals = std::cos(angle);
@@ -242,10 +138,8 @@ LightTree build_light_tree(std::span<const LightBounds> lights) {
                                 MAX_LIGHTS));
     LightTree tree;
     tree.trails.assign(lights.size(), shared::NO_TRAIL);
-    std::vector<Item> items;
-    for (std::uint32_t i = 0; i < lights.size(); ++i)
-        if (lights[i].intensity > 0) items.push_back({lights[i], i});
-    if (!items.empty()) Builder(std::move(items), tree).build();
+    if (std::any_of(lights.begin(), lights.end(), [](const LightBounds& b) { return b.intensity > 0; }))
+        Collapser(build_binary_light_tree(lights), tree).collapse();
     tree.seconds = seconds_since(start);
     return tree;
 }

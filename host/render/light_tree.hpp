@@ -1,5 +1,5 @@
-// A light tree: which lights can bring how much to a point, coarse to fine. Splits minimise intensity times
-// orientation times extent (Conty Estevez and Kulla 2018, equation 2), found by binning.
+// A light tree: which lights can bring how much to a point, coarse to fine (Conty Estevez and Kulla 2018),
+// four children to a node (shaders/shared/light_tree.glsl.h).
 #pragma once
 
 #include "shaders/shared/light_tree.glsl.h"
@@ -23,7 +23,9 @@ struct LightBounds {
 };
 
 struct LightTree {
-    std::vector<shared::LightTreeNode> nodes; // pairs, see light_tree.glsl.h; empty where no light is left
+    bool empty = true; // no light is left: everything else is empty, too
+    shared::LightTreeRoot root{};
+    std::vector<shared::LightTreeNode> nodes; // see light_tree.glsl.h; none where the root is a light
     std::vector<std::uint32_t> trails;        // per light
     std::uint32_t depth = 0;                  // decisions on the longest way
     double seconds = 0;                       // of building

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gpu/bindings.hpp"
-#include "render/geometry_table.hpp"
+#include "render/surface_index.hpp"
 #include "shaders/shared/bindings.glsl.h"
 #include "shaders/shared/frame.glsl.h"
 #include "shaders/shared/patch.glsl.h"

@@ -7,6 +7,7 @@
 #include "render/settings.hpp"
 #include "render/surface_index.hpp"
 #include "scene/scene.hpp"
+#include "shaders/shared/patch.glsl.h"
 
 #include <memory>
 #include <span>
@@ -27,7 +28,13 @@ std::span<const Choice> light_ray_choices();
 std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();
 std::span<const Choice> triangle_samplings();
+std::span<const Choice> shadings();
+std::span<const Choice> environment_samplings();
 std::span<const Choice> pixel_filters();
+
+// Throws Error for settings with which no scene can be rendered: unknown names, numbers out of range, choices
+// that exclude each other.
+void check_settings(const RenderSettings& settings);
 
 struct RenderStats {
     RenderSettings settings;   // as used: what was left to a default has its value
@@ -69,6 +76,19 @@ struct ElementRadiance {
     RenderStats stats;
 };
 
+// Means over elements, by element, where their material is there at all.
+struct ElementMaterials {
+    std::vector<glm::vec3> emission;    // W/(m^2 sr), along the normal; of unlit materials what they show
+    std::vector<glm::vec3> reflectance; // share of diffuse light from all around that is reflected, 0 to 1
+};
+
+// The scene's surfaces as patches and what they look like, for integrator radiosity (shared/patch.glsl.h).
+struct PatchPicture {
+    std::vector<TriangleSource> divided;  // the triangles that have patches, by instance and triangle
+    std::vector<shared::PatchNode> nodes; // the roots of their trees first, in that order
+    std::vector<shared::PatchSide> sides; // two for each patch
+};
+
 // A scene on a device, ready to be rendered with any settings.
 class Renderer {
   public:
@@ -82,6 +102,8 @@ class Renderer {
     // device lost).
     RenderOutput render(const RenderSettings& settings, const ProgressSink& progress = {});
 
+    // What integrator radiosity shows from now on.
+    void show(PatchPicture patches);
     // The mean over each element of the light that arrives there, by paths that begin on them: with
     // max_bounces 0 straight from luminaires, else after up to so many bounces. What elements themselves
     // emit, absorb or are made of does not count. Meshes are baked; what settings say of the picture and its
@@ -89,6 +111,9 @@ class Renderer {
     // scene's triangles.
     ElementRadiance irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
                                const ProgressSink& progress = {});
+
+    // What the same elements are made of.
+    ElementMaterials materials(std::span<const SceneElement> elements, const RenderSettings& settings);
 
   private:
     struct Impl;

@@ -40,7 +40,7 @@ std::uint32_t samples_per_pass(const PathPool& pool, std::uint32_t chunk_pixels)
 
 RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
                      const RenderSettings& settings, LearnedVisibility* visibility,
-                     std::span<const SurfaceElement> elements)
+                     std::span<const SurfaceElement> elements, const PatchTable* patches)
     : device_(device), settings_(resolved(settings, gpu_scene)), camera_(choose_camera(scene, settings)),
       film_(device,
             elements.empty() ? FilmPixels::picture(settings.width, settings.height)
@@ -49,13 +49,13 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
       pool_(device, settings,
             std::uint64_t{film_.pixel_count()} * std::min(settings.samples, MAX_SAMPLES_PER_PASS)),
       bindings_(device), commands_(device), diagnostics_(device, sizeof(Diagnostics), "diagnostics"),
-      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene),
-      visibility_(visibility), context_{device,
-                                        settings_,
-                                        specialization(),
-                                        gpu_scene.suits_shadow_packets(),
-                                        gpu_scene.frame().light_count,
-                                        !elements.empty()},
+      frame_buffer_(device, sizeof(FrameRecord), "frame"), gpu_scene_(gpu_scene), visibility_(visibility),
+      patches_(patches), context_{device,
+                                  settings_,
+                                  specialization(),
+                                  gpu_scene.suits_shadow_packets(),
+                                  gpu_scene.frame().light_count,
+                                  !elements.empty()},
       accumulate_(device, "accumulate", context_.specialization),
       integrator_(find_integrator(settings.integrator).make(context_)),
       steps_(trace_shares(device, gpu_scene, pool_)) {
@@ -74,13 +74,15 @@ RenderJob::RenderJob(const gpu::Device& device, const Scene& scene, const GpuSce
     pool_.bind(bindings_);
     gpu_scene.bind(bindings_);
     if (visibility_ != nullptr) visibility_->bind(bindings_);
+    if (patches_ != nullptr) patches_->bind(bindings_);
     write_frame(settings_.seed, settings_.sequence_samples);
     bindings_.uniform(frame_buffer_);
 }
 
 gpu::Specialization RenderJob::specialization() const {
     const std::uint32_t features = camera_.kind == CameraKind::orthographic ? FEATURE_ORTHOGRAPHIC : 0;
-    const bool fits = visibility_ == nullptr || visibility_->fits_texel_buffer(device_);
+    const bool fits = (visibility_ == nullptr || visibility_->fits_texel_buffer(device_)) &&
+                      (patches_ == nullptr || patches_->fits_texel_buffer(device_));
     return specialize(device_, gpu_scene_, pool_, settings_, features, fits);
 }
 
@@ -109,6 +111,7 @@ void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) 
     frame.pixel_order.address = film_.pixel_order().address();
     frame.aovs.address = film_.aovs() ? film_.aovs().address() : 0;
     frame.diagnostics.address = diagnostics_.address();
+    frame.pool_paths = pool_.paths();
     frame.seed = seed;
     frame.max_bounces = settings_.max_bounces;
     frame.rr_depth = settings_.rr_depth;
@@ -117,6 +120,7 @@ void RenderJob::write_frame(std::uint32_t seed, std::uint32_t sequence_samples) 
     frame.ao_distance = settings_.ao_distance;
     frame.sample_clamp = settings_.clamp > 0 ? settings_.clamp : std::numeric_limits<float>::max();
     if (visibility_ != nullptr) visibility_->describe(frame);
+    if (patches_ != nullptr) patches_->describe(frame);
     frame_buffer_.write(std::span<const FrameRecord>(&frame, 1));
 }
 
@@ -216,6 +220,7 @@ void RenderJob::fill_stats(RenderStats& stats) const {
     stats.device_bytes =
         gpu_scene_.device_bytes() + pool_.device_bytes() + film_.device_bytes() + elements_.size_bytes();
     if (visibility_ != nullptr) stats.device_bytes += visibility_->device_bytes();
+    if (patches_ != nullptr) stats.device_bytes += patches_->device_bytes();
     stats.camera_rays = std::uint64_t{film_.pixel_count()} * stats.samples;
     stats.extension_rays = totals.extension_rays;
     stats.shadow_rays = totals.shadow_rays;

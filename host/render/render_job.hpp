@@ -7,6 +7,7 @@
 #include "render/integrator.hpp"
 #include "render/learned_visibility.hpp"
 #include "render/pass_runner.hpp"
+#include "render/patch_table.hpp"
 #include "render/path_pool.hpp"
 #include "shaders/kernels/accumulate.glsl.h"
 #include "shaders/kernels/aov.glsl.h"
@@ -20,10 +21,11 @@ namespace ajar {
 class RenderJob {
   public:
     // `visibility`: for a light sampler that needs it, learned first if it is not yet. `elements`: where
-    // paths begin, the image then has a pixel for each, in rows; none: at the camera.
+    // paths begin, the image then has a pixel for each, in rows; none: at the camera. `patches`: for an
+    // integrator that shows them.
     RenderJob(const gpu::Device& device, const Scene& scene, const GpuScene& gpu_scene,
               const RenderSettings& settings, LearnedVisibility* visibility,
-              std::span<const shared::SurfaceElement> elements = {});
+              std::span<const shared::SurfaceElement> elements = {}, const PatchTable* patches = nullptr);
 
     RenderOutput run(const ProgressSink& progress);
 
@@ -52,6 +54,7 @@ class RenderJob {
     gpu::Buffer frame_buffer_;
     const GpuScene& gpu_scene_;
     LearnedVisibility* visibility_; // none: the light sampler needs none
+    const PatchTable* patches_;     // none: the integrator shows none
     IntegratorContext context_;
     gpu::Buffer elements_;
     std::optional<gpu::Kernel<shared::PlaceArgs>> place_;       // where there are elements

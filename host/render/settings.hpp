@@ -25,9 +25,11 @@ struct RenderSettings {
     // Sampler blue-noise: samples per pixel of all runs that are to be one picture, rounded up to a power of
     // two; 0: of this run alone, first_sample + samples. Others do not look at it.
     std::uint32_t sequence_samples = 0;
-    std::string naive_sampling = "bsdf"; // a row of naive_samplings(); integrator naive
-    std::string triangle_sampling = "auto"; // a row of triangle_samplings()
-    std::string camera;                  // name or index; empty: the scene's
+    std::string naive_sampling = "bsdf";       // a row of naive_samplings(); integrator naive
+    std::string triangle_sampling = "auto";    // a row of triangle_samplings()
+    std::string environment_sampling = "auto"; // a row of environment_samplings()
+    std::string shading = "smooth";            // a row of shadings(); integrator radiosity
+    std::string camera;                        // name or index; empty: the scene's
     PixelFilter filter = PixelFilter::box;
     float filter_radius = 0;         // pixels; 0: the filter's own default
     float background[3] = {0, 0, 0}; // radiance where there is no environment

@@ -5,7 +5,7 @@
 #define AJAR_PATHS_GLSL
 #include "../shared/bindings.glsl.h"
 #include "../shared/path.glsl.h"
-#include "variants.glsl"
+#include "tables.glsl"
 
 layout(set = 0, binding = BIND_PATHS, std430) buffer PathsBlock { uvec4 path_words[]; };
 layout(set = 0, binding = BIND_SHADOW_RAYS, std430) buffer ShadowRaysBlock { uvec4 shadow_ray_words[]; };
@@ -79,12 +79,14 @@ vec3 radiance_load(uint home) {
 
 void radiance_store(uint home, vec3 value) { radiance[home].xyz = value; }
 
-// Beside its radiance lies the normal (octahedral) of the surface that a path left last, which light samplers
-// look at once more when the path meets a light.
-void path_normal_store(uint home, uint normal) { radiance[home].w = uintBitsToFloat(normal); }
-uint path_normal_load(uint home) {
-    if (PATH_TEXELS != 0u) return texelFetch(radiance_texels, int(home)).w;
-    return floatBitsToUint(radiance[home].w);
+// Behind all radiances lies what is kept of the surface that each path left last, which light samplers look
+// at once more when the path meets a light (lights/receiver.glsl); and one place for whoever has no path.
+void path_left_store(uint home, uvec2 words) {
+    radiance[frame.pool_paths + home].xy = uintBitsToFloat(words);
+}
+uvec2 path_left_load(uint home) {
+    if (PATH_TEXELS != 0u) return texelFetch(radiance_texels, int(frame.pool_paths + home)).xy;
+    return floatBitsToUint(radiance[frame.pool_paths + home].xy);
 }
 
 // Anything but zero at most once for a path in a dispatch: what was added there before need not be seen.

@@ -17,16 +17,28 @@ const uint TASK = OPTION & ~SHADE_WHITE;
 const bool WHITE = (OPTION & SHADE_WHITE) != 0u;
 
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
-LightPick pick_light(Vertex v, float u) {
+LightPick pick_light(Vertex v, uvec2 left, float u) {
     if (TASK == SHADE_LIGHT) return LightPick(args.light, 1.0, u, 0.0);
-    return light_sampler_pick(v.surface.departure, light_sampler_normal(v.surface.ng), u);
+    return light_sampler_pick(receiver_unpack(v.surface.departure, left), u);
+}
+
+// Whether light samplers look at vertices, and what they see of one (receiver.glsl).
+const bool LEAVES = LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER &&
+                    TASK != SHADE_LIGHT;
+uvec2 receiver_words(Vertex v) {
+    if (!LEAVES) return uvec2(0u);
+    uint lobe = 0u;
+    if (has_feature(FEATURE_SPECULAR))
+        lobe = receiver_pack_lobe(frame_to_world(v.frame, vec3(-v.wo.xy, v.wo.z)), v.bsdf.alpha,
+                                  bsdf_specular_pmf(v.bsdf, v.wo));
+    return uvec2(octahedral_encode(v.surface.ng), lobe);
 }
 
 // A shadow ray to one light. False when nothing can come of it.
-bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out ShadowRay ray) {
+bool connect_light(PathState path, Vertex v, uvec2 left, Sampler points, uint dimension, out ShadowRay ray) {
     if (TASK == SHADE_LIGHT) dimension += DIM_PER_LIGHT * (args.light + 1u);
     vec2 u = sampler_2d(points, dimension + DIM_LIGHT);
-    LightPick pick = pick_light(v, u.x);
+    LightPick pick = pick_light(v, left, u.x);
     u.x = light_pick_rest(pick, sampler_1d(points, dimension + DIM_LIGHT_DIGITS));
     LightSample light = light_sample(pick.light, v.surface.departure, u);
     BsdfValue value = bsdf_eval_pdf(v.bsdf, v.wo, frame_to_local(v.frame, light.wi));
@@ -43,7 +55,7 @@ bool connect_light(PathState path, Vertex v, Sampler points, uint dimension, out
     ray.instance = path.instance;
     if (TASK == SHADE_LEARN)
         ray.counter = visibility_counter(
-            visibility_cell(v.surface.departure, light_sampler_normal(v.surface.ng)),
+            visibility_cell(v.surface.departure, octahedral_decode(left.x)),
             light_tree_trail(pick.light));
     return above && any(greaterThan(ray.contribution, vec3(0.0)));
 }
@@ -56,8 +68,6 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     path.origin = v.surface.departure;
     path.leaves = path.triangle;
     path.pdf = next.delta ? 0.0 : next.pdf;
-    if (LIGHT_SAMPLER_LOOKS && STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
-        path_normal_store(path.home, octahedral_encode(v.surface.ng));
     path.beta *= next.weight;
     bool alive = any(greaterThan(path.beta, vec3(0.0))) && dot(path.direction, v.surface.ng) > 0.0;
     if (args.segments.bounce >= frame.rr_depth) {
@@ -68,35 +78,37 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
     return alive;
 }
 
-bool shade(inout PathState path, out ShadowRay ray, out bool connects) {
+bool shade(inout PathState path, out ShadowRay ray, out bool connects, out uvec2 left) {
     connects = false;
+    left = uvec2(0u);
     bool alive = false;
     vec3 beta = path.beta;
     vec3 emission;
     const bool every = TASK == SHADE_SCATTER;
     PathState arrived = path;
-    vec3 left = met_normal(path);
+    uvec2 before = met_left(path);
     float limit = LIGHT_FAR;
     if (path.triangle == NO_TRIANGLE) {
-        emission = met_environment(path, left, every);
+        emission = met_environment(path, before, every);
     } else {
         Vertex v = vertex_at(path);
         if (WHITE) v.bsdf = bsdf_white();
-        emission = met_surface(path, left, v, every);
+        emission = met_surface(path, before, v, every);
         limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
         bool lit = WHITE || !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
         if (args.segments.bounce <= frame.max_bounces && lit) {
             Sampler points = segment_sampler(args.segments, path.home);
             uint dimension = sampler_bounce(args.segments.bounce);
+            left = receiver_words(v);
             if (STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
-                connects = connect_light(path, v, points, dimension, ray);
+                connects = connect_light(path, v, left, points, dimension, ray);
             alive = scatter(path, v, points, dimension);
         }
     }
     if (TASK == SHADE_LIGHT) return false;
     if (WHITE) return alive;
     if (has_feature(FEATURE_SOFT_LIGHTS))
-        emission += met_soft_lights(arrived, left, limit, args.segments.bounce == 0u, every);
+        emission += met_soft_lights(arrived, before, limit, args.segments.bounce == 0u, every);
     if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
     return alive;
 }
@@ -114,7 +126,11 @@ void main() {
         ShadowRay ray;
         bool connects = false;
         bool alive = false;
-        if (i < count) alive = shade(path, ray, connects);
+        uvec2 left = uvec2(0u);
+        uint home = path.home;
+        if (i < count) alive = shade(path, ray, connects, left);
+        // By all lanes: a store under a mask costs more than the store.
+        if (LEAVES) path_left_store(i < count ? home : frame.pool_paths, left);
         if (TASK != SHADE_LIGHT) {
             Scan survivors = scan_keepers(alive);
             path_store(first + kept + scan_place(survivors, alive), path);

@@ -1,7 +1,7 @@
 // Light from all around: an equirectangular map, importance-sampled by inversion of its marginal and
 // conditional distributions, or a constant. The lookup is bilinear; the density is constant over each cell's
 // solid angle (a cell is a texel, or some of a large map), in proportion to the bilinear radiance averaged
-// over it (environment_table.hpp; Pharr et al. 2023, section 12.5).
+// over it, or to what that has above its mean (environment_table.hpp; Pharr et al. 2023, section 12.5).
 #ifndef AJAR_LIGHTS_ENVIRONMENT_GLSL
 #define AJAR_LIGHTS_ENVIRONMENT_GLSL
 #include "../core/warps.glsl"

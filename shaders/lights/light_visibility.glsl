@@ -37,21 +37,28 @@ uvec4 visibility_texel(uint i) {
     return frame.visibility.at[i].value;
 }
 
-// Of nodes 2 k and 2 k + 1; 1 below the levels that are learned about.
-vec2 visibility_of_pair(uint cell, uint k) {
-    const bool known = k < VISIBILITY_CLUSTERS;
-    const uint byte = known ? 2u * k : 0u;
-    const uvec4 sixteen = visibility_texel(cell * VISIBILITY_CELL_TEXELS + (byte >> 4));
-    const uvec2 eight = (byte & 8u) != 0u ? sixteen.zw : sixteen.xy;
-    const uint four = (byte & 4u) != 0u ? eight.y : eight.x;
-    const uint two = (byte & 2u) != 0u ? four >> 16 : four;
-    const vec2 seen = vec2(ivec2(uvec2(two, two >> 8) & 255u) + 1) * (1.0 / 256.0);
-    return known ? seen : vec2(1.0);
+vec4 visibility_of_bytes(uint four) {
+    return vec4(ivec4(uvec4(four, four >> 8, four >> 16, four >> 24) & 255u) + 1) * (1.0 / 256.0);
+}
+
+// Of the four children of node k; 1 below the levels that are learned about.
+vec4 visibility_of_children(uint cell, uint k) {
+    const bool known = k < VISIBILITY_CLUSTERS / 2u;
+    const uint word = known ? k : 0u;
+    const uvec4 four = visibility_texel(cell * VISIBILITY_CELL_TEXELS + (word >> 2));
+    const uvec2 two = (word & 2u) != 0u ? four.zw : four.xy;
+    const vec4 seen = visibility_of_bytes((word & 1u) != 0u ? two.y : two.x);
+    return known ? seen : vec4(1.0);
+}
+
+// Of the distant lights (x) and of all others (y).
+vec2 visibility_of_all(uint cell) {
+    return visibility_of_bytes(visibility_texel(cell * VISIBILITY_CELL_TEXELS).x).xy;
 }
 
 // The counter of a shadow ray from the cell to a light with that trail (NO_TRAIL: a distant one).
 uint visibility_counter(uint cell, uint trail) {
-    const uint way = bitfieldReverse(trail) >> (32u - VISIBILITY_LEVELS); // first decision first
+    const uint way = trail >> (LIGHT_TREE_TRAIL_TOP - 2u * VISIBILITY_LEVELS);
     return cell * VISIBILITY_COUNTERS + (trail == NO_TRAIL ? VISIBILITY_CLUSTERS : way);
 }
 

@@ -2,7 +2,6 @@
 // environment, emissive surfaces, spheres and suns.
 #ifndef AJAR_MET_GLSL
 #define AJAR_MET_GLSL
-#include "../core/octahedral.glsl"
 #include "../core/paths.glsl"
 #include "../material/vertex.glsl"
 #include "light.glsl"
@@ -10,38 +9,36 @@
 #include "mis.glsl"
 #include "soft.glsl"
 
-// That of the vertex that the path left last. To be read before the next one's takes its place.
-vec3 met_normal(PathState path) {
-    return LIGHT_SAMPLER_LOOKS ? octahedral_decode(path_normal_load(path.home)) : vec3(0.0);
-}
+// What is kept of the vertex that the path left last. To be read before the next one's takes its place.
+uvec2 met_left(PathState path) { return LIGHT_SAMPLER_LOOKS ? path_left_load(path.home) : uvec2(0u); }
 
-// Probability with which that vertex, of normal `left`, would have picked the light that the path met.
+// Probability with which that vertex, `left`, would have picked the light that the path met.
 // `every`: it had shadow rays for every light.
-float met_pmf(PathState path, vec3 left, uint light, bool every) {
+float met_pmf(PathState path, uvec2 left, uint light, bool every) {
     if (STRATEGY == STRATEGY_BSDF) return 0.0;
     if (every) return 1.0;
-    return light_sampler_pmf(path.origin, left, light);
+    return light_sampler_pmf(receiver_unpack(path.origin, left), light);
 }
 
-vec3 met_environment(PathState path, vec3 left, bool every) {
+vec3 met_environment(PathState path, uvec2 left, bool every) {
     if (!has_feature(FEATURE_ANY_ENVIRONMENT)) return vec3(0.0);
     vec4 radiance_pdf = environment_lookup(path.direction);
     float pmf = met_pmf(path, left, frame.environment_light, every);
     return radiance_pdf.rgb * mis_emission_weight(path.pdf, pmf * radiance_pdf.a);
 }
 
-vec3 met_surface(PathState path, vec3 left, Vertex v, bool every) {
+vec3 met_surface(PathState path, uvec2 left, Vertex v, bool every) {
     float light_pdf = 0.0;
     if (has_feature(FEATURE_EMISSIVE_TRIANGLES)) {
         float pdf = light_pdf_triangle(path.origin, path.direction, path.triangle);
-        bool is_light = v.surface.light != NO_LIGHT;
+        bool is_light = v.surface.light != NO_LIGHT && path.pdf > 0.0; // else nothing is to be weighed
         light_pdf = is_light ? pdf * met_pmf(path, left, v.surface.light, every) : 0.0;
     }
     return vertex_emission(v) * mis_emission_weight(path.pdf, light_pdf);
 }
 
 // Spheres and suns, which are in no hierarchy; `limit`: where the ray ends.
-vec3 met_soft_lights(PathState path, vec3 left, float limit, bool camera, bool every) {
+vec3 met_soft_lights(PathState path, uvec2 left, float limit, bool camera, bool every) {
     vec3 sum = vec3(0.0);
     uvec2 found = soft_meet(path.origin, path.direction, limit, camera);
     while (any(notEqual(found, uvec2(0u)))) {

@@ -11,12 +11,14 @@ const uint FEATURE_DISTANT_LIGHTS = FEATURE_PUNCTUAL_LIGHTS | FEATURE_SOFT_LIGHT
 const float SAMPLER_TREE_LEAST_SHARE = 0.1;
 
 // Probability of the distant lights.
-float sampler_tree_distant_share(vec3 point, vec3 normal, uint cell) {
+float sampler_tree_distant_share(LightReceiver at, uint cell) {
     if (!has_feature(FEATURE_DISTANT_LIGHTS)) return 0.0;
     float distant = frame.distant_irradiance;
-    float near = light_tree_importance_of_all(point, normal);
+    LightReceiver plain = at; // irradiance against irradiance
+    plain.specular = 0.0;
+    float near = light_tree_importance_of_all(plain);
     if (LIGHT_SAMPLER_LEARNS) {
-        const vec2 seen = visibility_of_pair(cell, 0u);
+        const vec2 seen = visibility_of_all(cell);
         distant *= seen.x;
         near *= seen.y;
     }
@@ -40,13 +42,13 @@ LightPick sampler_tree_pick_distant(float u) {
 }
 
 // Where there is nothing to look up, the cell is not worked out.
-uint sampler_tree_cell(vec3 point, vec3 normal) {
-    return LIGHT_SAMPLER_LEARNS ? visibility_cell(point, normal) : 0u;
+uint sampler_tree_cell(LightReceiver at) {
+    return LIGHT_SAMPLER_LEARNS ? visibility_cell(at.point, at.normal) : 0u;
 }
 
-LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
-    const uint cell = sampler_tree_cell(point, normal);
-    const float share = sampler_tree_distant_share(point, normal, cell);
+LightPick sampler_tree_pick(LightReceiver at, float u) {
+    const uint cell = sampler_tree_cell(at);
+    const float share = sampler_tree_distant_share(at, cell);
     const bool distant = u < share;
     const float mass = distant ? share : 1.0 - share;
     const float rest = min((distant ? u : u - share) / mass, LIGHT_PICK_BELOW_ONE);
@@ -55,21 +57,21 @@ LightPick sampler_tree_pick(vec3 point, vec3 normal, float u) {
         if (distant) pick = sampler_tree_pick_distant(rest);
         pick.pmf *= share;
     }
-    if (frame.tree_nodes != 0u && !distant) {
-        const LightTreeWay way = light_tree_descend(point, normal, cell, rest, 0u, false);
+    if (frame.tree_lights != 0u && !distant) {
+        const LightTreeWay way = light_tree_descend(at, cell, rest, 0u, false);
         pick = LightPick(way.light, (1.0 - share) * way.pmf, way.u, way.step);
     }
     pick.step /= mass;
     return pick;
 }
 
-float sampler_tree_pmf(vec3 point, vec3 normal, uint light) {
-    const uint cell = sampler_tree_cell(point, normal);
-    const float share = sampler_tree_distant_share(point, normal, cell);
-    const uint trail = frame.tree_nodes != 0u ? light_tree_trail(light) : NO_TRAIL;
+float sampler_tree_pmf(LightReceiver at, uint light) {
+    const uint cell = sampler_tree_cell(at);
+    const float share = sampler_tree_distant_share(at, cell);
+    const uint trail = frame.tree_lights != 0u ? light_tree_trail(light) : NO_TRAIL;
     float pmf = 0.0;
     if (trail != NO_TRAIL)
-        pmf = (1.0 - share) * light_tree_descend(point, normal, cell, 0.0, trail, true).pmf;
+        pmf = (1.0 - share) * light_tree_descend(at, cell, 0.0, trail, true).pmf;
     if (has_feature(FEATURE_DISTANT_LIGHTS)) pmf += share * sampler_tree_distant_pmf(light);
     return pmf;
 }

@@ -73,7 +73,7 @@ struct FrameRecord {
     uint distant_slots;          // its entries: 0 or a power of two
     float distant_irradiance;    // of those lights together, luminance, W/m^2
     uint tree_first;             // texel in BIND_LIGHTS: light tree
-    uint tree_nodes;             // 0: no light is somewhere
+    uint tree_lights;            // 0: no light is somewhere, so there is no tree
     uint trails_first;           // texel in BIND_LIGHTS: trails, four a texel
     float sample_clamp;          // no channel of a sample is above this
     uint sequence_log2;          // blue noise: the sequence has 2^sequence_log2 samples a pixel
@@ -81,8 +81,10 @@ struct FrameRecord {
     uint soft_count;
     uint patch_nodes_first;      // texel in BIND_PATCHES: PatchNodes; roots by triangle come before them
     uint patch_sides_first;      // texel in BIND_PATCHES: PatchSides
+    uint pool_paths;             // slots of BIND_RADIANCE; words of the vertices left lie behind them
+    uint pad;
 };
-DUAL_SIZE(FrameRecord, 328);
+DUAL_SIZE(FrameRecord, 336);
 
 // SPEC_OPTION of generate.
 const uint FILTER_BOX = 0;

@@ -7,8 +7,8 @@
 DUAL_BEGIN
 
 const uint VISIBILITY_CELLS = 1u << 14; // cells share a place when their hashes do
-const uint VISIBILITY_LEVELS = 9;       // decisions of the tree that are learned about
-const uint VISIBILITY_CLUSTERS = 1u << VISIBILITY_LEVELS; // nodes at the end of those
+const uint VISIBILITY_LEVELS = 4;       // decisions of the tree that are learned about
+const uint VISIBILITY_CLUSTERS = 1u << 2u * VISIBILITY_LEVELS; // nodes at the end of those
 const uint VISIBILITY_COUNTERS = VISIBILITY_CLUSTERS + 1u; // of a cell; the last one: distant lights
 
 // Index cell * VISIBILITY_COUNTERS + cluster.
@@ -20,7 +20,8 @@ DUAL_SIZE(VisibilityCount, 8);
 DUAL_PTR(VisibilityCount);
 
 // BIND_VISIBILITY: a byte for each node of each cell, (byte + 1) / 256 being its visibility. Nodes are
-// numbered as in a heap: 1 is the root, 2 k and 2 k + 1 the pair below k; 0 stands for the distant lights.
+// numbered as in a heap of fours: 1 is the root, 4 k to 4 k + 3 the children of k; 0 stands for the distant
+// lights.
 const uint VISIBILITY_CELL_BYTES = 2u * VISIBILITY_CLUSTERS;
 const uint VISIBILITY_CELL_TEXELS = VISIBILITY_CELL_BYTES / 16u;
 

@@ -1,6 +1,7 @@
 // What the command says about itself, and what it says to a wrong command line.
 #include "cli/run_ajar.hpp"
 #include "image/tonemap.hpp"
+#include "radiosity/radiosity.hpp"
 #include "render/render.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -29,7 +30,8 @@ void expect_usage_error(const std::vector<std::string>& arguments, const std::st
 } // namespace
 
 TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
-    for (const char* command : {"render", "lab", "compare", "info", "devices"}) {
+    for (const char* command :
+         {"render", "radiosity", "bake", "lab", "merge", "compare", "info", "devices"}) {
         const Result result = run_ajar({command, "--help"});
         EXPECT_EQ(result.exit_code, 0) << command;
         EXPECT_EQ(result.err, "") << command;
@@ -45,12 +47,13 @@ TEST(Help, ComesFromEveryCommandWithExamplesFirst) {
 TEST(Help, OfTheCommandItselfNamesTheOthers) {
     const Result result = run_ajar({"--help"});
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* command : {"\n  render ", "\n  lab ", "\n  compare ", "\n  info ", "\n  devices "})
+    for (const char* command : {"\n  render ", "\n  radiosity ", "\n  bake ", "\n  lab ", "\n  merge ",
+                                "\n  compare ", "\n  info ", "\n  devices "})
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 
 TEST(Help, FitsEightyColumns) {
-    for (const char* command : {"render", "lab", "compare", "info", "devices"})
+    for (const char* command : {"render", "radiosity", "bake", "lab", "merge", "compare", "info", "devices"})
         for (const std::string& line : lines(run_ajar({command, "--help"}).out))
             EXPECT_LE(line.size(), 80u) << line;
 }
@@ -66,6 +69,10 @@ TEST(Help, ListsEveryRowOfEveryTable) {
     expect_rows(light_samplers());
     expect_rows(samplers());
     expect_rows(naive_samplings());
+    expect_rows(shadings());
+    expect_rows(radiosity_solvers());
+    expect_rows(radiosity_directs());
+    expect_rows(environment_samplings());
     expect_rows(pixel_filters());
     expect_rows(tonemap_operators());
 }
@@ -90,7 +97,7 @@ TEST(Usage, AMissingOutputIsAnError) { expect_usage_error({"render", scene_path(
 
 TEST(Usage, NamesOutsideTheTablesAreErrorsThatListThem) {
     for (const char* option : {"--integrator", "--strategy", "--light-sampler", "--sampler",
-                               "--naive-sampling", "--filter", "--tonemap"})
+                               "--naive-sampling", "--env-sampling", "--filter", "--tonemap"})
         expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", option, "nonsense"},
                            "nonsense not in {");
     expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--integrator", "nonsense"},
@@ -105,11 +112,20 @@ TEST(Usage, BadValuesAreErrors) {
         {"--seed", "abc"},           {"--exposure", "nan"},      {"--background", "1,2"},
         {"--background", "1,nan,0"}, {"--background", "-1,0,0"}, {"--time-limit", "-1"},
         {"--backfaces", "maybe"},    {"--progress", "loud"},     {"--max-bounces", ""},
-        {"--slice", "inf"}};
+        {"--slice", "inf"},          {"--first-sample", "-1"}};
     for (const auto& [option, value] : bad) {
         SCOPED_TRACE(option + " " + value);
         expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", option, value}, option);
     }
+}
+
+TEST(Usage, ChoicesThatExcludeEachOtherAreErrors) {
+    expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--strategy", "light",
+                        "--env-sampling", "compensated"},
+                       "use strategy 'mis', or environment sampling 'radiance'");
+    expect_usage_error({"render", scene_path("cornell-box"), "-o", "x.png", "--first-sample", "4294967295",
+                        "--samples", "2"},
+                       "go beyond 2^32");
 }
 
 TEST(Usage, OptionsOfAnEnvironmentNeedOne) {

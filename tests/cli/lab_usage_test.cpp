@@ -69,7 +69,22 @@ TEST(LabUsage, WrongListsAndCasesAreErrors) {
     expect_refused({"--case", "a: --samples 3"}, "--case 'a': ");
     expect_refused({"--case", "a: --strategy nonsense"}, "nonsense not in {");
     expect_refused({"--case", "a: ", "--case", "a: "}, "two cases are named 'a'");
-    expect_refused({"--strategy", "mis"}, "--strategy");
+    expect_refused({"--first-sample", "3"}, "--first-sample");
+    expect_refused({"--case", "a: --first-sample 3"}, "--case 'a': ");
+}
+
+TEST(LabUsage, AnOptionOfRenderThatIsAListHereNamesTheList) {
+    expect_refused({"--strategy", "mis"}, "--strategy: a lab compares rows of a list (use --strategies mis)");
+    expect_refused({"--light-sampler", "tree"}, "(use --light-samplers tree)");
+    expect_refused({"--env-sampling=radiance"}, "(use --env-samplings radiance)");
+}
+
+TEST(LabUsage, CasesThatNothingCouldRenderAreErrorsBeforeAnyIsRendered) {
+    expect_refused({"--case", "dim: --strategy light --env-sampling compensated"},
+                   "dim: environment sampling 'compensated': strategy 'light' would miss");
+    expect_refused({"--reference-options", "--max-bounces 2000"}, "--reference-options: max bounces 2000");
+    EXPECT_EQ(listed({"--strategies", "light,mis", "--env-samplings", "compensated,radiance"}),
+              (std::vector<std::string>{"light", "mis, compensated", "mis, radiance"}));
 }
 
 TEST(LabUsage, WrongBudgetsReferencesAndInsetsAreErrors) {

@@ -46,6 +46,7 @@ TEST(Readme, EveryCommandRuns) {
     int count = 0;
     for (std::string line : lines(code_block(readme(), "sh"))) {
         if (line.starts_with("ajar render ")) line += " --size 24x16 --samples 2"; // the last ones count
+        if (line.starts_with("ajar bake ")) line += " --lightmap 64 --samples 2";
         expect_success({"sh", "-c", line}, surroundings);
         ++count;
     }

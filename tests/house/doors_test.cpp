@@ -20,10 +20,13 @@ const std::map<std::string, std::set<std::string>> DOORS = {
     {"bvh", {"base"}},
     {"gpu", {"base"}},
     {"import", {"scene", "image", "base"}},
+    {"export", {"scene", "image", "base"}},
     {"render", {"bvh", "gpu", "scene", "image", "base"}},
     {"radiosity", {"render", "bvh", "gpu", "scene", "image", "base"}},
-    {"ajar", {"import", "radiosity", "render", "bvh", "gpu", "scene", "image", "base"}},
-    {"cli", {"ajar", "import", "radiosity", "render", "scene", "image", "base"}},
+    {"bake", {"radiosity", "render", "gpu", "scene", "image", "base"}},
+    {"ajar",
+     {"import", "export", "bake", "radiosity", "render", "bvh", "gpu", "scene", "image", "base"}},
+    {"cli", {"ajar", "import", "bake", "radiosity", "render", "scene", "image", "base"}},
     {"serve", {"ajar", "import", "radiosity", "render", "scene", "image", "base"}},
 };
 

@@ -1,6 +1,6 @@
-// Different estimators of one integral have one mean: every combination of strategy, heuristic, light sampler
-// and number of light rays that the tables offer, and the naive integrator, on small scenes of every kind of
-// light and surface.
+// Different estimators of one integral have one mean: every combination of strategy, heuristic, light
+// sampler, number of light rays and sampling of environments that the tables offer, and the naive
+// integrator, on small scenes of every kind of light and surface.
 #include "base/error.hpp"
 #include "render_test.hpp"
 #include "small_scenes.hpp"
@@ -23,8 +23,9 @@ class EstimatorsAgree : public RenderTest, public testing::WithParamInterface<Sm
 INSTANTIATE_TEST_SUITE_P(Scenes, EstimatorsAgree, testing::ValuesIn(small_scenes()),
                          [](const auto& row) { return std::string(row.param.name); });
 
-// Every combination that the tables offer, but for those in which a choice is not looked at.
-std::vector<RenderSettings> combinations(const RenderSettings& base, bool light_alone) {
+// Every combination that the tables offer, but for those in which a choice is not looked at. `map`: there is
+// an environment map.
+std::vector<RenderSettings> combinations(const RenderSettings& base, bool light_alone, bool map) {
     std::vector<RenderSettings> all;
     const auto add = [&](RenderSettings settings) {
         settings.seed = base.seed + static_cast<std::uint32_t>(all.size());
@@ -52,11 +53,19 @@ std::vector<RenderSettings> combinations(const RenderSettings& base, bool light_
         settings.heuristic = heuristic.name;
         if (heuristic.name != base.heuristic) add(settings);
     }
+    for (const Choice& sampling : environment_samplings())
+        for (const Choice& sampler : light_samplers()) {
+            RenderSettings settings = base;
+            settings.environment_sampling = sampling.name;
+            settings.light_sampler = sampler.name;
+            if (map && sampling.name != base.environment_sampling) add(settings);
+        }
     return all;
 }
 
 std::string name_of(const RenderSettings& s) {
-    return s.strategy + ", " + s.heuristic + ", light sampler " + s.light_sampler + ", rays " + s.light_rays;
+    return s.strategy + ", " + s.heuristic + ", light sampler " + s.light_sampler + ", rays " + s.light_rays +
+           ", environment " + s.environment_sampling;
 }
 
 TEST_P(EstimatorsAgree, OnTheMean) {
@@ -68,7 +77,8 @@ TEST_P(EstimatorsAgree, OnTheMean) {
     const bool blind = !scene.lights.empty();
     std::optional<Image> measure;
     if (!blind) measure = reference;
-    for (const RenderSettings& combination : combinations(settings(10, 128), GetParam().light_alone)) {
+    const bool map = scene.environment && !scene.environment->radiance.empty();
+    for (const RenderSettings& combination : combinations(settings(10, 128), GetParam().light_alone, map)) {
         if (blind && combination.strategy == "bsdf") continue;
         const Image image = render(scene, combination);
         if (measure) expect_equal_means(*measure, image, name_of(combination));

@@ -172,6 +172,22 @@ Scene spot_with_radius() {
     return builder.build();
 }
 
+// A map that is one light of two, dim but for a third of it, above a box with a mirror beside it.
+Scene sky_and_lamp() {
+    SceneBuilder builder;
+    const std::uint32_t white = builder.material(lambert({0.6f, 0.6f, 0.6f}));
+    builder.square({0, 0, 0}, {0, 1, 0}, 3, white);
+    builder.box({-0.7f, 0, -0.3f}, {-0.1f, 0.5f, 0.3f}, white);
+    builder.sphere({0.5f, 0.45f, 0}, 0.45f, 3, Normals::smooth,
+                   builder.material(metal({0.9f, 0.9f, 0.9f}, 0)));
+    builder.square({-0.4f, 1.4f, 0.4f}, {0, -1, 0}, 0.2f, builder.material(emitter({5, 4, 3})));
+    builder.environment_map(32, 16, [](const glm::vec3& d) {
+        return d.x > 0.4f ? glm::vec3(1.5f, 1.2f, 0.9f) : glm::vec3(0.2f, 0.25f, 0.4f);
+    });
+    builder.perspective({0, 1.2f, 3.5f}, {0, 0.35f, 0}, 0.6f);
+    return builder.build();
+}
+
 constexpr SmallScene SCENES[] = {
     {"DiffuseRoom", diffuse_room, true},
     {"GlossyRoom", glossy_room, true},
@@ -184,6 +200,7 @@ constexpr SmallScene SCENES[] = {
     {"SphereLights", sphere_lights, true},
     {"SoftSun", soft_sun, true},
     {"SpotWithRadius", spot_with_radius, true},
+    {"SkyAndLamp", sky_and_lamp, false},
 };
 
 } // namespace

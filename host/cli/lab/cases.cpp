@@ -15,28 +15,38 @@ constexpr std::size_t MOST_CASES = 256;
 
 bool always(const RenderSettings&) { return true; }
 
-// Whether lights are looked for, rather than met by chance or not at all.
-bool casts_shadow_rays(const RenderSettings& s) {
-    return (s.integrator == "path" || s.integrator == "direct") && s.strategy != "bsdf";
+bool shows_patches(const RenderSettings& s) { return s.integrator == "radiosity"; }
+
+bool has_strategy(const RenderSettings& s) {
+    return s.integrator == "path" || s.integrator == "direct" || (shows_patches(s) && s.shading == "gather");
 }
 
-bool has_strategy(const RenderSettings& s) { return s.integrator == "path" || s.integrator == "direct"; }
+// Whether lights are looked for, rather than met by chance or not at all.
+bool casts_shadow_rays(const RenderSettings& s) { return has_strategy(s) && s.strategy != "bsdf"; }
+
+bool may_cast_several(const RenderSettings& s) { return casts_shadow_rays(s) && !shows_patches(s); }
 
 bool combines(const RenderSettings& s) { return has_strategy(s) && s.strategy == "mis"; }
 
-bool picks_a_light(const RenderSettings& s) { return casts_shadow_rays(s) && s.light_rays == "one"; }
+bool picks_a_light(const RenderSettings& s) {
+    return casts_shadow_rays(s) && (s.light_rays == "one" || shows_patches(s));
+}
 
 constexpr std::array AXES{
     Axis{"--integrators", "--integrator", "What is computed", &RenderSettings::integrator, integrators,
          always},
+    Axis{"--shadings", "--shading", "How integrator radiosity shows patches", &RenderSettings::shading,
+         shadings, shows_patches},
     Axis{"--strategies", "--strategy", "How light is found", &RenderSettings::strategy, strategies,
          has_strategy},
     Axis{"--heuristics", "--heuristic", "How strategy mis weighs", &RenderSettings::heuristic, heuristics,
          combines},
     Axis{"--light-ray-choices", "--light-rays", "Shadow rays at a vertex", &RenderSettings::light_rays,
-         light_ray_choices, casts_shadow_rays},
+         light_ray_choices, may_cast_several},
     Axis{"--light-samplers", "--light-sampler", "How a light is picked", &RenderSettings::light_sampler,
          light_samplers, picks_a_light},
+    Axis{"--env-samplings", "--env-sampling", "How a direction to an environment map is picked",
+         &RenderSettings::environment_sampling, environment_samplings, combines},
     Axis{"--samplers", "--sampler", "Random numbers", &RenderSettings::sampler, samplers, always},
 };
 
@@ -76,12 +86,14 @@ std::vector<Case> combinations(const RenderSettings& base,
         if (chosen[a].empty()) continue;
         std::vector<Case> next;
         for (const Case& c : cases) {
-            const std::size_t count = axis.matters(c.settings) ? chosen[a].size() : 1;
-            for (std::size_t i = 0; i < count; ++i) {
+            if (!axis.matters(c.settings)) {
                 next.push_back(c);
-                next.back().settings.*axis.setting = chosen[a][i];
-                if (chosen[a].size() > 1 && count > 1)
-                    next.back().name += (c.name.empty() ? "" : ", ") + chosen[a][i];
+                continue;
+            }
+            for (const std::string& name : chosen[a]) {
+                next.push_back(c);
+                next.back().settings.*axis.setting = name;
+                if (chosen[a].size() > 1) next.back().name += (c.name.empty() ? "" : ", ") + name;
             }
         }
         cases = std::move(next);
@@ -101,7 +113,7 @@ RenderSettings parse_settings(const std::string& text, const RenderSettings& bas
     declare_image(app, options);
     declare_method(app, options);
     // The same for all, or what the lab itself is about.
-    for (const char* fixed : {"--size", "--samples", "--time-limit"})
+    for (const char* fixed : {"--size", "--samples", "--first-sample", "--time-limit"})
         app.remove_option(app.get_option(fixed));
     try {
         app.parse(text);

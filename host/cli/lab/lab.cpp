@@ -7,7 +7,9 @@
 #include "cli/interrupts.hpp"
 #include "cli/lab/pictures.hpp"
 #include "cli/rendering.hpp"
+#include "cli/solving.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -109,6 +111,21 @@ std::vector<Measured> measure_all(Session& session, const LabPlan& plan, const R
     return measured;
 }
 
+// One solution for all cases that show it, and for the reference. False when interrupted.
+bool solve_for_cases(Session& session, const LabOptions& o, const LabPlan& plan, ProgressDisplay& display,
+                     const Interrupts& interrupts) {
+    const auto shows = [](const RenderSettings& s) { return s.integrator == "radiosity"; };
+    const bool wanted =
+        shows(plan.reference_settings) ||
+        std::any_of(plan.cases.begin(), plan.cases.end(), [&](const Case& c) { return shows(c.settings); });
+    if (!wanted) return true;
+    const Solving solving = solve(session, o.render, [&](const Progress& progress) {
+        if (!interrupts.requested()) display.update(progress);
+        return !interrupts.requested();
+    });
+    return !solving.result.stats.interrupted;
+}
+
 int run(LabOptions& o) {
     LabPlan plan = make_plan(o);
     if (o.dry_run) {
@@ -128,6 +145,10 @@ int run(LabOptions& o) {
     display.stage("prepare");
     Session session(scene, device, [&](std::string_view line) { display.warning(line); });
     interrupts.enter(Interrupts::Phase::rendering);
+    if (!solve_for_cases(session, o, plan, display, interrupts)) {
+        display.notice("interrupted before anything was solved: no results were written");
+        return EXIT_INTERRUPTED;
+    }
     const double weight = reference.given ? 0
                           : plan.budget.samples > 0
                               ? static_cast<double>(plan.reference_budget.samples) / plan.budget.samples

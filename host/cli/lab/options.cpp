@@ -1,6 +1,8 @@
 #include "cli/lab/options.hpp"
 
 #include "cli/command.hpp"
+#include "cli/radiosity_options.hpp"
+#include "cli/rendering.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -86,6 +88,16 @@ void declare_output_folder(CLI::App& app, LabOptions& o) {
         ->group(group);
 }
 
+// An option of `ajar render` that is a list here: whoever gives it gets told.
+void replace_by_list(CLI::App& app, const Axis& axis) {
+    app.remove_option(app.get_option(axis.replaces));
+    const auto refuse = [&axis](const std::string& name) {
+        throw CLI::ValidationError(
+            fmt::format("{}: a lab compares rows of a list (use {} {})", axis.replaces, axis.option, name));
+    };
+    app.add_option_function<std::string>(axis.replaces, refuse)->group("");
+}
+
 template <class T> T parse_number(const std::string& text, const std::string& where) {
     T value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -154,10 +166,12 @@ void declare(CLI::App& app, LabOptions& o) {
     declare_display(app, o.render);
     declare_image(app, o.render);
     declare_method(app, o.render);
-    for (const Axis& axis : axes()) app.remove_option(app.get_option(axis.replaces));
+    declare_radiosity(app, o.render.radiosity);
+    for (const Axis& axis : axes()) replace_by_list(app, axis);
     declare_scene(app, o.render);
     declare_device(app, o.render);
-    app.remove_option(app.get_option("--time-limit")); // --seconds
+    app.remove_option(app.get_option("--time-limit"));   // --seconds
+    app.remove_option(app.get_option("--first-sample")); // the ranges that a case is rendered in
     app.get_option("--seconds")->excludes(app.get_option("--samples"));
 }
 
@@ -175,7 +189,9 @@ LabPlan make_plan(const LabOptions& o) {
             std::min<std::uint64_t>(std::uint64_t{samples} * REFERENCE_FACTOR, UINT32_MAX));
     }
     if (o.reference_samples > 0) plan.reference_budget = {o.reference_samples, 0};
+    for (const Case& c : plan.cases) expect_possible(c.settings, c.name + ": ");
     plan.reference_settings = parse_settings(o.reference_options, o.render.settings, "--reference-options");
+    expect_possible(plan.reference_settings, "--reference-options: ");
     plan.reference_settings.seed ^= 0x80000000u; // other random numbers than the cases have
     plan.automatic_insets = o.insets.empty();
     for (const std::string& text : o.insets)

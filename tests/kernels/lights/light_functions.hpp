@@ -43,6 +43,7 @@ struct Lighting {
     std::uint32_t sampler = shared::LIGHT_SAMPLER_POWER;
     std::uint32_t features = 0; // besides those of the kinds of light; FEATURE_WIDE_TRIANGLES only from here
     std::vector<EmissiveSphere> spheres;
+    EnvironmentDensity environment_density = EnvironmentDensity::radiance;
     LightTable table() const { return build_light_table(scene, triangles, scene_radius, spheres); }
 };
 
@@ -68,7 +69,7 @@ class LightFunctions : public GpuTest {
         EnvironmentTable environment;
         if (lighting.scene.environment) {
             const Environment& e = *lighting.scene.environment;
-            environment = build_environment_table(e);
+            environment = build_environment_table(e, lighting.environment_density);
             frame.environment_width = environment.width;
             frame.environment_height = environment.height;
             frame.environment_scale = e.scale;

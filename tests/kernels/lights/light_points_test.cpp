@@ -23,6 +23,7 @@ Lighting scattered_lights(std::uint32_t sampler, std::size_t triangles) {
     std::mt19937 random(17);
     Lighting lighting;
     lighting.sampler = sampler;
+    lighting.features = FEATURE_SPECULAR; // receivers have lobes
     lighting.scene_radius = 20;
     for (std::size_t i = 0; i < triangles; ++i) {
         EmissiveTriangle t;
@@ -62,6 +63,7 @@ std::vector<LightItem> receivers(std::size_t count) {
     for (LightItem& item : items) {
         item.point = 11.0f * in_cube(random);
         item.direction = glm::normalize(in_cube(random));
+        item.triangle = static_cast<std::uint32_t>(random()); // any lobe; one in 32 has no share
     }
     return items;
 }
@@ -171,6 +173,30 @@ TEST_F(LightFunctions, TreePicksTheNearLightsMore) {
     const std::vector<LightItem> found = run(LIGHTS_PMF, lighting, items);
     EXPECT_GT(found[20].pdf, 0.25f) << "straight above: two thirds of all light comes from there";
     EXPECT_LT(found[60].pdf, 0.01f);
+}
+
+// A floor that is mostly a glossy mirror, below a row of equal lamps: picks follow what the viewer sees.
+TEST_F(LightFunctions, TreePicksTheLightsThatALobeReflects) {
+    Lighting lighting;
+    lighting.sampler = LIGHT_SAMPLER_TREE;
+    lighting.features = FEATURE_SPECULAR;
+    for (int i = 0; i < 64; ++i)
+        lighting.triangles.push_back(
+            triangle(glm::vec3(i, 2, 0), glm::vec3(i + 0.1f, 2, 0), glm::vec3(i, 2, 0.1f)));
+    constexpr std::uint32_t ROUGHNESS = 6; // of 31
+    constexpr std::uint32_t SHARE = 28;    // of 32
+    const auto pmf_of = [&](std::uint32_t light, std::uint32_t lobe) {
+        LightItem item{};
+        item.direction = glm::vec3(0, 1, 0);
+        item.light = light;
+        item.triangle = lobe;
+        return run(LIGHTS_PMF, lighting, {item}).front().pdf;
+    };
+    // Towards lamp 6, 18 degrees above the floor: (1, 1/3, 0) on the octahedron is (0.75, 0) of 1023.
+    const std::uint32_t lobe = 767u | 255u << 11 | ROUGHNESS << 22 | SHARE << 27;
+    EXPECT_GT(pmf_of(6, lobe), 3 * pmf_of(6, 0));
+    EXPECT_LT(pmf_of(0, lobe), pmf_of(0, 0));
+    EXPECT_GT(pmf_of(40, lobe), 0.0f) << "what the lobe hardly sees stays within reach";
 }
 
 } // namespace

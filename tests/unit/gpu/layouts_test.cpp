@@ -19,6 +19,7 @@
 #include "shaders/kernels/receive.glsl.h"
 #include "shaders/kernels/shade.glsl.h"
 #include "shaders/kernels/shoot.glsl.h"
+#include "shaders/kernels/show_patches.glsl.h"
 #include "shaders/kernels/tally.glsl.h"
 #include "shaders/kernels/update.glsl.h"
 #include "shaders/shared/bvh.glsl.h"
@@ -150,6 +151,7 @@ const Field FIELDS[] = {
     F(RadiateArgs, elements), F(RadiateArgs, row_sides), F(RadiateArgs, segments), F(RadiateArgs, pad),
     F(ReceiveArgs, rows), F(ReceiveArgs, row_sides), F(ReceiveArgs, from), F(ReceiveArgs, to),
     F(ReceiveArgs, first_row), F(ReceiveArgs, row_count), F(ReceiveArgs, rays_log2), F(ReceiveArgs, pad),
+    F(ShowPatchesArgs, segments),
     F(ShadeArgs, segments), F(ShadeArgs, light),
     F(ShootArgs, row_sides), F(ShootArgs, reflectance), F(ShootArgs, rest), F(ShootArgs, shot),
     F(ShootArgs, shooters), F(ShootArgs, threshold), F(ShootArgs, row_count),

@@ -31,6 +31,23 @@ Image layered(std::uint32_t width, std::uint32_t height) {
     return image;
 }
 
+TEST(EncodePng, TexelsComeBackAsTheyAre) {
+    std::mt19937 random(3);
+    for (const std::uint32_t channels : {1u, 3u, 4u}) {
+        std::vector<std::uint8_t> values(std::size_t{7} * 5 * channels);
+        for (std::uint8_t& value : values) value = static_cast<std::uint8_t>(random());
+        const std::vector<std::byte> png = encode_png(7, 5, channels, values);
+        EXPECT_EQ(encode_png(7, 5, channels, values), png);
+        const DecodedImage image = decode_rgba8(png, "png");
+        ASSERT_EQ(image.width * image.height, 35u);
+        for (std::size_t i = 0; i < 35; ++i)
+            for (std::size_t c = 0; c < 4; ++c)
+                EXPECT_EQ(image.rgba[4 * i + c], c == 3 && channels < 4 ? 255
+                                                 : channels == 1        ? values[i]
+                                                                        : values[channels * i + c]);
+    }
+}
+
 TEST(ExrFile, KeepsEveryLayerAndTheMetadataAt32Bits) {
     const Folder folder;
     const Image image = layered(37, 150); // not a multiple of the bands

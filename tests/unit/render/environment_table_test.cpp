@@ -76,6 +76,18 @@ std::uint32_t walk(const std::vector<glm::uvec4>& words, std::size_t first, std:
     return index;
 }
 
+EnvironmentTable compensated(const Environment& e) {
+    return build_environment_table(e, EnvironmentDensity::compensated);
+}
+
+Environment uniform_map(std::uint32_t width, std::uint32_t height, float radiance) {
+    Environment e;
+    e.width = width;
+    e.height = height;
+    e.radiance.assign(std::size_t{width} * height, glm::vec3(radiance));
+    return e;
+}
+
 // Sum of density times solid angle over all texels.
 double total(const EnvironmentTable& table) {
     double sum = 0;
@@ -111,6 +123,67 @@ TEST(EnvironmentTable, DensityIsInProportionToTheMeanOfTheBilinearLookup) {
             const double relative = 3.0 / 65536 / row + 3.0 / 65536 / in_row + 32.0 / 65536 + 64.0 / 65536;
             EXPECT_NEAR(density(table, x, y), expected, relative * expected) << x << ", " << y;
         }
+}
+
+TEST(EnvironmentTable, CompensatedDensityIsInProportionToWhatIsAboveTheMean) {
+    const Environment e = random_map(64, 32);
+    const EnvironmentTable table = compensated(e);
+    EXPECT_NEAR(total(table), 1, 1e-6);
+    double light = 0;
+    for (std::uint32_t y = 0; y < 32; ++y)
+        for (std::uint32_t x = 0; x < 64; ++x) light += mean_lookup(e, x, y) * texel_solid_angle(64, 32, y);
+    const auto excess = [&](std::uint32_t x, std::uint32_t y) {
+        return std::max(mean_lookup(e, x, y) - light / (4 * PI), 0.0);
+    };
+    double sum = 0;
+    std::vector<double> rows(32, 0);
+    for (std::uint32_t y = 0; y < 32; ++y) {
+        for (std::uint32_t x = 0; x < 64; ++x) rows[y] += excess(x, y) * texel_solid_angle(64, 32, y);
+        sum += rows[y];
+    }
+    EXPECT_NEAR(table.share, sum / light, 1e-9);
+    for (std::uint32_t y = 0; y < 32; ++y)
+        for (std::uint32_t x = 0; x < 64; ++x) {
+            const double expected = excess(x, y) / sum;
+            ASSERT_EQ(density(table, x, y) > 0, expected > 0) << x << ", " << y;
+            if (expected == 0) continue;
+            const double row = rows[y] / sum; // as above
+            const double in_row = expected * texel_solid_angle(64, 32, y) / row;
+            const double relative = 3.0 / 65536 / row + 3.0 / 65536 / in_row + 32.0 / 65536 + 64.0 / 65536;
+            EXPECT_NEAR(density(table, x, y), expected, relative * expected) << x << ", " << y;
+        }
+}
+
+TEST(EnvironmentTable, CompensatedDensityOfAConstantMapIsNothing) {
+    for (const auto& [width, height] : {std::pair{1u, 1u}, {64u, 32u}, {4099u, 7u}})
+        for (const float radiance : {0.0f, 0.1f, 3e9f}) {
+            const EnvironmentTable table = compensated(uniform_map(width, height, radiance));
+            EXPECT_EQ(table.share, 0);
+            EXPECT_EQ(total(table), 0) << width << " x " << height << " of " << radiance;
+        }
+}
+
+TEST(EnvironmentTable, CompensatedDensityKeepsASmallSun) {
+    Environment e = uniform_map(4099, 512, 0.5f); // cells of 4 x 4
+    e.radiance[100 * 4099 + 4097] = glm::vec3(1e6f);
+    const EnvironmentTable table = compensated(e);
+    EXPECT_NEAR(total(table), 1, 1e-6);
+    for (std::uint32_t y = 0; y < 512; ++y)
+        for (std::uint32_t x = 0; x < 4099; ++x)
+            ASSERT_EQ(density(table, x, y) > 0, y / 4 >= 24 && y / 4 <= 25 && x >= 4096) << x << ", " << y;
+}
+
+// Where no light is, inversion still has to end in a cell that is there.
+TEST(EnvironmentTable, TreesOfADensityOfNothingEndInTheirFirstEntry) {
+    for (const EnvironmentTable& table :
+         {compensated(uniform_map(64, 32, 1)), build_environment_table(uniform_map(64, 32, 0))}) {
+        const std::size_t first = std::size_t{64} * 32;
+        const std::size_t columns = first + 1 + 4; // levels of 1 and 4 nodes over 32 rows
+        for (const std::uint32_t target : {0u, 1000u, 65534u}) {
+            EXPECT_EQ(walk(table.words, first, 1, 0, 32, target), 0u);
+            EXPECT_EQ(walk(table.words, columns, 32, 0, 64, target), 0u);
+        }
+    }
 }
 
 TEST(EnvironmentTable, DensityIsPositiveWhereverTheLookupIs) {

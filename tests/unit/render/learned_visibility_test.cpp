@@ -30,9 +30,12 @@ TEST(LearnedVisibility, IsTheShareThatArrivedAtEveryLevel) {
     }
     const std::vector<std::uint8_t> cell = freeze_cell(counts);
     EXPECT_NEAR(visibility(cell, 1), 0.375, 0.005);
-    EXPECT_NEAR(visibility(cell, 3), 0.75, 0.005);
+    // The root's children are quarters, the second and the last of theirs sixteenths.
+    EXPECT_NEAR(visibility(cell, 4), 0, 1 / 64.0);
     EXPECT_NEAR(visibility(cell, 6), 1, 0.005);
     EXPECT_NEAR(visibility(cell, 7), 0.5, 0.005);
+    EXPECT_NEAR(visibility(cell, 4 * 6 + 1), 1, 0.005);
+    EXPECT_NEAR(visibility(cell, 4 * 7 + 3), 0.5, 0.005);
     EXPECT_NEAR(visibility(cell, 2 * VISIBILITY_CLUSTERS - 1), 0.5, 0.005);
 }
 
@@ -47,7 +50,7 @@ TEST(LearnedVisibility, OfANodeWithoutRaysIsItsParents) {
     counts[0] = {5000, 1000};
     const std::vector<std::uint8_t> cell = freeze_cell(counts);
     EXPECT_NEAR(visibility(cell, 1), 0.2, 0.005);
-    EXPECT_EQ(cell[3], cell[1]) << "its side has no rays";
+    EXPECT_EQ(cell[7], cell[1]) << "its quarter has no rays";
     EXPECT_EQ(cell[2 * VISIBILITY_CLUSTERS - 1], cell[1]);
     EXPECT_EQ(visibility(cell, 0), 1) << "distant lights are apart";
 }

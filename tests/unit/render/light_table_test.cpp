@@ -158,6 +158,19 @@ TEST(LightTable, SamplesTrianglesBySolidAngleWhereTheyAreLargeForTheScene) {
     EXPECT_FALSE((build_light_table(Scene{}, {}, 1).features & shared::FEATURE_WIDE_TRIANGLES) != 0);
 }
 
+TEST(LightTable, CountsTheEnvironmentWithWhatLightSamplingIsToFind) {
+    const Scene scene = small_scene();
+    const LightTable whole = build_light_table(scene, {}, 2);
+    const LightTable part = build_light_table(scene, {}, 2, {}, 0.25);
+    ASSERT_EQ(part.environment_light, 2u);
+    EXPECT_EQ(part.powers[1], whole.powers[1]);
+    EXPECT_NEAR(part.powers[2], 0.25 * whole.powers[2], 1e-9);
+    EXPECT_NEAR(part.distant_irradiance, 0.25 * whole.distant_irradiance, 1e-6);
+    const LightTable none = build_light_table(scene, {}, 2, {}, 0);
+    EXPECT_EQ(none.lights[2].power_pmf, 0);
+    EXPECT_TRUE(none.distant.empty());
+}
+
 TEST(LightTable, WordsHoldRecordsThenTheAliasTable) {
     const LightTable table = build_light_table(small_scene(), {}, 2);
     const std::vector<glm::uvec4> words = table.words();

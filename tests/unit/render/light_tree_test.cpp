@@ -40,23 +40,87 @@ std::vector<LightBounds> random_lights(std::size_t count, std::uint32_t seed) {
     return lights;
 }
 
-// Light and depth of every leaf, by walking down.
-void visit(const LightTree& tree, std::uint32_t node, std::uint32_t depth, std::uint32_t trail,
-           const std::function<void(std::uint32_t light, std::uint32_t depth, std::uint32_t trail)>& leaf) {
-    const std::uint32_t child = tree.nodes[node].child;
-    const std::uint32_t index = child & shared::LIGHT_TREE_INDEX;
-    if ((child & shared::LIGHT_TREE_LEAF) != 0) return leaf(index, depth, trail);
-    visit(tree, 2 * index, depth + 1, trail, leaf);
-    visit(tree, 2 * index + 1, depth + 1, trail | 1u << depth, leaf);
+// A node's child as the kernels decode it, after shaders/shared/light_tree.glsl.h.
+struct Decoded {
+    glm::dvec3 center;
+    double radius = 0;
+    glm::dvec3 axis;
+    double normals = 0;  // radians: half angle of the cone of normals
+    double emission = 0; // how far light leaves it
+    double intensity = 0;
+    bool two_sided = false;
+};
+
+double snorm(std::uint32_t word, int byte) {
+    return static_cast<std::int8_t>(word >> (8 * byte)) / double{shared::LIGHT_TREE_SNORM};
+}
+
+Decoded decode_root(const shared::LightTreeRoot& root) {
+    return {root.center,
+            root.radius,
+            {snorm(root.axis, 0), snorm(root.axis, 1), snorm(root.axis, 2)},
+            std::acos(snorm(root.cones, 0)),
+            std::acos(snorm(root.cones, 1)),
+            root.intensity,
+            (root.child & shared::LIGHT_TREE_TWO_SIDED) != 0};
+}
+
+Decoded decode(const LightTreeNode& node, int k, const Decoded& parent) {
+    Decoded d;
+    for (int a = 0; a < 3; ++a) {
+        const double step = (node.place[k] >> (10 * a)) & shared::LIGHT_TREE_PLACE_STEPS;
+        d.center[a] = parent.center[a] + parent.radius * (2 * step / shared::LIGHT_TREE_PLACE_STEPS - 1);
+        d.axis[a] = snorm(node.axis[k], a);
+    }
+    const double root = ((node.radii >> (8 * k)) & 255u) / double{shared::LIGHT_TREE_RADIUS_STEPS};
+    d.radius = parent.radius * root * root;
+    d.normals = std::acos(snorm(node.normals, k));
+    d.emission = std::acos(snorm(node.emission, k));
+    const std::uint32_t level = node.axis[k] >> 24;
+    d.intensity = level == 0 ? 0 : std::ldexp(1 + (level & 7) / 8.0, static_cast<int>(level >> 3) - 31);
+    d.two_sided = (node.place[k] & shared::LIGHT_TREE_TWO_SIDED) != 0;
+    return d;
+}
+
+// What a walk meets: every light with its way, and what all nodes on the way say.
+struct Leaf {
+    std::uint32_t light = 0;
+    std::uint32_t trail = 0;
+    std::vector<Decoded> way; // from the root to the light itself
+};
+using Visit = std::function<void(const Leaf&)>;
+
+void visit(const LightTree& tree, std::uint32_t index, const Leaf& so_far, const Visit& leaf) {
+    const LightTreeNode& node = tree.nodes[index];
+    const std::uint32_t nodes = node.nodes >> shared::LIGHT_TREE_COUNT_SHIFT;
+    const auto depth = static_cast<std::uint32_t>(so_far.way.size()) - 1;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        const Decoded child = decode(node, static_cast<int>(k), so_far.way.back());
+        if (child.intensity == 0) continue;
+        Leaf next = so_far;
+        next.way.push_back(child);
+        next.trail |= k << (shared::LIGHT_TREE_TRAIL_TOP - 2 - 2 * depth);
+        next.light = node.lights[k];
+        if (k < nodes)
+            visit(tree, (node.nodes & shared::LIGHT_TREE_FIRST) + k, next, leaf);
+        else
+            leaf(next);
+    }
+}
+
+void visit(const LightTree& tree, const Visit& leaf) {
+    const Leaf root{tree.root.child & shared::LIGHT_TREE_INDEX, 0, {decode_root(tree.root)}};
+    if ((tree.root.child & shared::LIGHT_TREE_LEAF) != 0) return leaf(root);
+    visit(tree, 0, root, leaf);
 }
 
 void expect_every_light_once(const LightTree& tree, std::span<const LightBounds> lights) {
     std::vector<int> seen(lights.size(), 0);
-    visit(tree, 0, 0, 0, [&](std::uint32_t light, std::uint32_t depth, std::uint32_t trail) {
-        ASSERT_LT(light, lights.size());
-        ++seen[light];
-        EXPECT_EQ(tree.trails[light], trail);
-        EXPECT_LE(depth, tree.depth);
+    visit(tree, [&](const Leaf& leaf) {
+        ASSERT_LT(leaf.light, lights.size());
+        ++seen[leaf.light];
+        EXPECT_EQ(tree.trails[leaf.light], leaf.trail);
+        EXPECT_LE(leaf.way.size() - 1, tree.depth);
     });
     for (std::size_t i = 0; i < lights.size(); ++i)
         EXPECT_EQ(seen[i], lights[i].intensity > 0 ? 1 : 0) << "light " << i;
@@ -78,8 +142,8 @@ TEST(LightTree, LeavesOutLightsWithoutIntensity) {
     EXPECT_EQ(tree.trails[4], shared::NO_TRAIL);
     EXPECT_EQ(tree.trails[9], shared::NO_TRAIL);
     expect_every_light_once(tree, lights);
-    EXPECT_TRUE(build_light_tree({}).nodes.empty());
-    EXPECT_TRUE(build_light_tree(std::vector<LightBounds>(3)).nodes.empty());
+    EXPECT_TRUE(build_light_tree({}).empty);
+    EXPECT_TRUE(build_light_tree(std::vector<LightBounds>(3)).empty);
 }
 
 // Places that halve the distance to the origin again and again, and many in one place: the worst for a
@@ -97,12 +161,45 @@ TEST(LightTree, StaysShallowEnoughForItsTrails) {
     const std::vector<LightBounds> same(10000, nested.front());
     const LightTree tree = build_light_tree(same);
     expect_every_light_once(tree, same);
-    EXPECT_LE(tree.depth, 14u) << "halves: 2^14 > 10000";
+    EXPECT_LE(tree.depth, 7u) << "quarters: 4^7 > 10000";
 }
 
 double angle(const glm::vec3& a, const glm::vec3& b) {
     return std::atan2(glm::length(glm::cross(glm::dvec3(a), glm::dvec3(b))),
                       glm::dot(glm::dvec3(a), glm::dvec3(b)));
+}
+
+// Quantising may only widen: else a light that can light a point would be out of its reach.
+TEST(LightTree, NodesContainTheLightsBelowThem) {
+    const std::vector<LightBounds> lights = random_lights(3000, 8);
+    constexpr double AXIS_ERROR = 0.008; // of three numbers in steps of 1/127; the kernels allow for it
+    visit(build_light_tree(lights), [&](const Leaf& leaf) {
+        const LightBounds& light = lights[leaf.light];
+        for (const Decoded& node : leaf.way) {
+            const glm::dvec3 farthest = glm::max(glm::abs(glm::dvec3(light.lower) - node.center),
+                                                 glm::abs(glm::dvec3(light.upper) - node.center));
+            EXPECT_LE(glm::length(farthest), node.radius * (1 + 1e-5));
+            const double needed =
+                angle(glm::vec3(node.axis), light.axis) + std::acos(light.cos_normals) - AXIS_ERROR;
+            EXPECT_LE(std::min(needed, std::acos(-1.0)), node.normals + 2e-3);
+            EXPECT_GE(node.emission, std::acos(light.cos_emission) - 1e-6);
+            EXPECT_TRUE(node.two_sided || !light.two_sided);
+        }
+    });
+}
+
+TEST(LightTree, KnowsWhichSiblingShinesBrightest) {
+    std::vector<LightBounds> lights = random_lights(1, 1);
+    lights.resize(1);
+    for (int i = 1; i < 4; ++i) {
+        lights.push_back(lights[0]);
+        lights.back().lower += static_cast<float>(i);
+        lights.back().upper += static_cast<float>(i);
+        lights.back().intensity = lights[0].intensity * std::ldexp(1.0, 3 * i); // 8, 64, 512
+    }
+    std::vector<double> found(4, 0);
+    visit(build_light_tree(lights), [&](const Leaf& leaf) { found[leaf.light] = leaf.way.back().intensity; });
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[3] / found[i], std::ldexp(1.0, 9 - 3 * i), 0.07 * 512);
 }
 
 // What merging makes of a chain of lights must contain each of them.

@@ -19,8 +19,12 @@ void sample_light(inout LightItem item) {
     item.triangle = s.triangle;
 }
 
+LightReceiver receiver(LightItem item) {
+    return receiver_unpack(item.point, uvec2(octahedral_encode(item.direction), item.triangle));
+}
+
 void pick_light(inout LightItem item) {
-    const LightPick pick = light_sampler_pick(item.point, item.direction, item.uv.x);
+    const LightPick pick = light_sampler_pick(receiver(item), item.uv.x);
     item.light = pick.light;
     item.pdf = pick.pmf;
     item.uv = vec2(pick.u, light_pick_rest(pick, item.uv.y));
@@ -49,7 +53,7 @@ void main() {
     switch (OPTION) {
     case LIGHTS_SAMPLE: sample_light(item); break;
     case LIGHTS_PICK: pick_light(item); break;
-    case LIGHTS_PMF: item.pdf = light_sampler_pmf(item.point, item.direction, item.light); break;
+    case LIGHTS_PMF: item.pdf = light_sampler_pmf(receiver(item), item.light); break;
     case LIGHTS_SOFT: meet_soft(item); break;
     case LIGHTS_ENVIRONMENT: {
         const vec4 found = environment_lookup(item.direction);

@@ -6,9 +6,10 @@ DUAL_BEGIN
 
 // SPEC_OPTION.
 const uint LIGHTS_SAMPLE = 0;       // point, light, uv -> LightSample
-// In: point, normal (direction), uv. Out: light, pmf (pdf), rest of u, filled in (uv)
+// In: point, normal (direction), lobe (triangle: receiver.glsl's word), uv. Out: light, pmf (pdf), rest of u,
+// filled in (uv)
 const uint LIGHTS_PICK = 1;
-const uint LIGHTS_PMF = 2;          // point, direction = normal, light -> pdf = pmf
+const uint LIGHTS_PMF = 2; // point, direction = normal, triangle = lobe, light -> pdf = pmf
 const uint LIGHTS_ENVIRONMENT = 3;  // direction -> radiance, pdf
 const uint LIGHTS_TRIANGLE_PDF = 4; // point, direction, triangle -> pdf
 

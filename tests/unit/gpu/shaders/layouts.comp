@@ -30,6 +30,7 @@
 #include "kernels/receive.glsl.h"
 #include "kernels/shade.glsl.h"
 #include "kernels/shoot.glsl.h"
+#include "kernels/show_patches.glsl.h"
 #include "kernels/tally.glsl.h"
 #include "kernels/update.glsl.h"
 
@@ -75,6 +76,7 @@ MENTION(NaiveArgs)
 MENTION(NormalsArgs)
 MENTION(PlaceArgs)
 MENTION(ShadeArgs)
+MENTION(ShowPatchesArgs)
 MENTION(AverageArgs)
 MENTION(MeasureArgs)
 MENTION(RadiateArgs)
@@ -94,7 +96,7 @@ void main() {
         USE(SurfaceElement) USE(SegmentArgs)
         USE(AccumulateArgs)
         USE(AlbedoArgs) USE(AoArgs) USE(AovArgs) USE(ConnectArgs) USE(ExtendArgs) USE(GenerateArgs)
-        USE(NaiveArgs) USE(NormalsArgs) USE(PlaceArgs) USE(ShadeArgs)
+        USE(NaiveArgs) USE(NormalsArgs) USE(PlaceArgs) USE(ShadeArgs) USE(ShowPatchesArgs)
         USE(SideValue) USE(SideIndex) USE(RowWord) USE(RowTotals) USE(RowsMeasure) USE(AverageArgs)
         USE(MeasureArgs) USE(RadiateArgs) USE(ReceiveArgs) USE(ShootArgs) USE(TallyArgs) USE(UpdateArgs);
     block_Texel.at[0].rgba8 = uint(total);

@@ -1,0 +1,53 @@
+#include "radiosity/convergence_plot.hpp"
+
+#include "image/plot.hpp"
+
+#include <algorithm>
+
+namespace ajar {
+
+namespace {
+
+PlotLine line(std::string name, std::span<const RadiosityIteration> iterations,
+              double RadiosityIteration::*value) {
+    PlotLine line{std::move(name), {}};
+    for (const RadiosityIteration& i : iterations)
+        line.points.push_back({static_cast<double>(i.rows), i.*value});
+    return line;
+}
+
+// All solvers end at one solution, from below; the nearest to it is taken for it, where the last step alone
+// would not do: it shows nothing missing.
+double final_power(std::span<const SolverHistory> histories) {
+    double power = 0;
+    for (const SolverHistory& h : histories)
+        for (const RadiosityIteration& i : h.iterations) power = std::max(power, i.power);
+    return power;
+}
+
+} // namespace
+
+std::string convergence_plot(const std::string& title, std::span<const SolverHistory> histories) {
+    LogPlot plot;
+    plot.title = title;
+    plot.x_label = "rows of form factors used";
+    if (histories.size() == 1) {
+        const std::vector<RadiosityIteration>& iterations = histories[0].iterations;
+        plot.y_label = "share of the greatest value";
+        plot.lines = {line("greatest change", iterations, &RadiosityIteration::residual),
+                      line("change of power", iterations, &RadiosityIteration::residual_power),
+                      line("estimated error", iterations, &RadiosityIteration::error)};
+        return log_log_svg(plot);
+    }
+    plot.y_label = "share of the power still missing";
+    const double power = final_power(histories);
+    for (const SolverHistory& h : histories) {
+        PlotLine missing{h.solver, {}};
+        for (const RadiosityIteration& i : h.iterations)
+            missing.points.push_back({static_cast<double>(i.rows), power > 0 ? 1 - i.power / power : 0});
+        plot.lines.push_back(std::move(missing));
+    }
+    return log_log_svg(plot);
+}
+
+} // namespace ajar
