@@ -1,5 +1,5 @@
-// The rows of F: for each side of a patch, which sides its rays meet (shaders/kernels/radiate.glsl.h). Rows are
-// stored as far as memory allows; the others are traced again whenever they are multiplied, by the same
+// The rows of F: for each side of a patch, which sides its rays meet (shaders/kernels/radiate.glsl.h). Rows
+// are stored as far as memory allows; the others are traced again whenever they are multiplied, by the same
 // kernels with the same random numbers, so that no result depends on it.
 #pragma once
 
@@ -33,9 +33,9 @@ class FormFactors {
     const std::vector<std::uint32_t>& row_sides() const { return row_sides_; } // by row
     const gpu::Buffer& row_side_buffer() const { return row_side_buffer_; }
 
-    // Records to = F from for rows [first, first + count), for the rig's commands; only what is stored is
-    // recorded alone: to trace the others commands are submitted, and keep_going is asked (false: stopped,
-    // and returned). Vectors have side_count + SIDES_BESIDE values.
+    // Records to = F from for rows [first, first + count), for the rig's commands, to which `from` is bound;
+    // only what is stored is recorded alone: to trace the others commands are submitted, and keep_going is
+    // asked (false: stopped, and returned). Vectors have side_count + SIDES_BESIDE values.
     bool receive(const gpu::Buffer& from, const gpu::Buffer& to, std::uint32_t first, std::uint32_t count,
                  const KeepGoing& keep_going);
 

@@ -55,6 +55,7 @@ void LinearSystem::update(const gpu::Kernel<UpdateArgs>& kernel, std::uint32_t f
 }
 
 bool LinearSystem::gather(std::uint32_t blocks, const FormFactors::KeepGoing& keep_going) {
+    rig_.bind_values(solution_);
     const std::uint64_t rows = factors_.row_count();
     for (std::uint64_t block = 0; block < blocks; ++block) {
         const auto first = static_cast<std::uint32_t>(rows * block / blocks);
@@ -70,6 +71,7 @@ bool LinearSystem::gather(std::uint32_t blocks, const FormFactors::KeepGoing& ke
 std::uint32_t LinearSystem::shoot(double max_rest_power, const FormFactors::KeepGoing& keep_going) {
     if (!(max_rest_power > 0)) return 0;
     const std::uint32_t rows = factors_.row_count();
+    rig_.bind_values(shot_);
     shooters_.clear();
     const ShootArgs args{{factors_.row_side_buffer().address()},
                          {materials_.reflectance.address()},
@@ -110,6 +112,7 @@ SystemMeasure LinearSystem::measure() {
 
 bool LinearSystem::receive_solution(std::vector<glm::vec3>& received, std::vector<float>& lost,
                                     const FormFactors::KeepGoing& keep_going) {
+    rig_.bind_values(solution_);
     if (!factors_.receive(solution_, received_, 0, factors_.row_count(), keep_going)) return false;
     rig_.commands.submit();
     received.assign(rig_.side_count(), glm::vec3(0));

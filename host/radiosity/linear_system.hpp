@@ -1,5 +1,5 @@
-// The system x = b + rho F x on the device, and the steps of its solvers. Every product is of the same rows in
-// the same order, so solvers differ in their way alone.
+// The system x = b + rho F x on the device, and the steps of its solvers. Every product is of the same rows
+// in the same order, so solvers differ in their way alone.
 #pragma once
 
 #include "radiosity/form_factors.hpp"

@@ -65,7 +65,11 @@ RadiosityRig::RadiosityRig(const gpu::Device& device_in, const Scene& scene, con
 }
 
 gpu::Specialization RadiosityRig::plain(std::uint32_t option) const {
-    return {{SPEC_WORKGROUP_SIZE, device.workgroup_size()}, {SPEC_OPTION, option}};
+    const std::uint64_t vector_bytes = (elements.size() + SIDES_BESIDE) * sizeof(SideValue);
+    const bool texels = gpu::Bindings::table_fits(device, BIND_SIDE_VALUES, vector_bytes);
+    return {{SPEC_WORKGROUP_SIZE, device.workgroup_size()},
+            {SPEC_OPTION, option},
+            {SPEC_TEXEL_BUFFERS, texels ? 1u : 0u}};
 }
 
 std::uint64_t RadiosityRig::device_bytes() const {

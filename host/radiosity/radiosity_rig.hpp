@@ -8,6 +8,7 @@
 #include "render/patch_table.hpp"
 #include "render/path_pool.hpp"
 #include "shaders/shared/element.glsl.h"
+#include "shaders/shared/radiosity.glsl.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,8 +24,10 @@ struct RadiosityRig {
     std::uint32_t groups(std::uint32_t threads) const {
         return (threads + device.workgroup_size() - 1) / device.workgroup_size();
     }
-    // Of kernels that look at nothing but their arguments.
+    // Of kernels that look at nothing but their arguments, and at a vector that is bound.
     gpu::Specialization plain(std::uint32_t option = 0) const;
+    // BIND_SIDE_VALUES, for the dispatches that follow; nothing may be recorded that has not been submitted.
+    void bind_values(const gpu::Buffer& vector) { bindings_.table(shared::BIND_SIDE_VALUES, vector); }
     std::uint64_t device_bytes() const;
 
     const gpu::Device& device;

@@ -15,7 +15,7 @@ struct Reciprocity {
     double max = 0;      // greatest difference
 };
 
-// Of up to `rows` rows evenly spread, each with a side that one of its rays met; that ray does not count.
+// Of up to `rows` rows evenly spread, each with a side that its neighbour sees.
 Reciprocity measure_reciprocity(const RadiosityRig& rig, FormFactors& factors, std::uint32_t rows);
 
 } // namespace ajar

@@ -21,15 +21,14 @@ struct RadiositySettings {
     float refine_threshold = 0.1f;       // difference between a patch's corners, of the scene's mean radiance
     std::string solver = "gauss-seidel"; // a row of radiosity_solvers()
     std::string direct = "shadow-rays";  // a row of radiosity_directs()
-    std::uint32_t rays = 256;            // of a row of form factors; a power of two, 4 to 65536
+    std::uint32_t rays = 512;            // of a row of form factors; a power of two, 4 to 65536
     std::uint32_t shadow_samples = 128;  // paths to luminaires from each side
     float tolerance = 1e-4f; // of the greatest value: the error of the solution is estimated below
     std::uint32_t max_iterations = 1000;
     // For rows of form factors. What does not fit is computed again in every iteration: the same result.
     std::uint64_t memory_bytes = std::uint64_t{2} << 30;
-    // Seed, background, cull_backfaces, how lights are sampled (strategy, heuristic, light_sampler, light_rays,
-    // sampler, triangle_sampling), and what never changes a result (pool, segments, slices). No other field is
-    // looked at.
+    // Of these: seed, background, cull_backfaces, how lights are sampled (strategy, heuristic, light_sampler,
+    // light_rays, sampler, triangle_sampling), and what never changes a result (pool, segments, slices).
     RenderSettings render{};
 };
 
@@ -57,8 +56,8 @@ struct RadiosityStats {
     std::uint64_t form_factor_rays = 0;
     double sky_share = 0;     // of those rays that left the scene
     double nowhere_share = 0; // that met nothing with patches, or went below their surface
-    // A_i F_ij = A_j F_ji, over pairs of sides that see much of each other: their difference, and the one that
-    // the number of rays leads to expect; root mean squares, of the mean of both.
+    // A_i F_ij = A_j F_ji, over sampled pairs of sides: their difference, and the one that the number of rays
+    // leads to expect, as root mean squares, of that of both sides' mean (Reciprocity).
     double reciprocity_rms = 0;
     double reciprocity_expected = 0;
     double reciprocity_max = 0;

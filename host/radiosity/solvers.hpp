@@ -37,8 +37,8 @@ SolverEnd solve_system(LinearSystem& system, std::uint32_t rows, const SolverRow
                        const FormFactors::KeepGoing& keep_going);
 
 // An upper estimate of what the iterations to come will still add to any value, given the greatest changes of
-// those done: change q / (1 - q), where q, by which changes shrink, is at most the greatest reflectance and at
-// most the greatest of the last three ratios seen.
+// those done: change q / (1 - q), where q, by which changes shrink, is at most the greatest reflectance and
+// at most the greatest of the last three ratios seen.
 double error_estimate(const std::vector<double>& changes, double max_reflectance);
 
 } // namespace ajar

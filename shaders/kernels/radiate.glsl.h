@@ -2,8 +2,8 @@
 // it, in a direction by the cosine around the shading normal there, exactly as a path that light sampling
 // had no part in would go on from a white Lambertian. F_ij is then the share of rays that meet j first:
 //   F_ij = 1 / A_i integral over A_i and A_j of cos cos' V / (pi r^2) = E[ the ray from i meets j ].
-// Points and directions are each stratified among a row's rays. A direction below the geometric surface, where
-// only bent normals send it, counts as blocked: its pdf is 0.
+// Points and directions are each stratified among a row's rays. A direction below the geometric surface,
+// where only bent normals send it, counts as blocked: its pdf is 0.
 // Writes BIND_PATHS, SegmentCounts::paths. Followed by extend and tally. One workgroup per segment.
 #ifndef AJAR_RADIATE_GLSL_H
 #define AJAR_RADIATE_GLSL_H

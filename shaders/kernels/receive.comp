@@ -7,9 +7,12 @@
 
 layout(push_constant, scalar) uniform ArgsBlock { ReceiveArgs args; };
 
+layout(set = 0, binding = BIND_SIDE_VALUES) uniform usamplerBuffer side_texels;
+
 const uint MAX_WORDS = 32768u; // below lavapipe's limit of iterations
 
 vec4 value_of(uint side) {
+    if (TEXEL_BUFFERS != 0u) return uintBitsToFloat(texelFetch(side_texels, int(side)));
     SideValue value = args.from.at[side];
     return vec4(value.rgb, value.scalar);
 }

@@ -9,7 +9,7 @@ DUAL_BEGIN
 struct ReceiveArgs {
     RowWordPtr rows;        // of row first_row on
     SideIndexPtr row_sides; // by row
-    SideValuePtr from;      // x
+    SideValuePtr from;      // x; also BIND_SIDE_VALUES, which is read unless SPEC_TEXEL_BUFFERS is 0
     SideValuePtr to;        // out, by side
     uint first_row;
     uint row_count;

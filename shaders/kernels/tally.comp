@@ -46,7 +46,8 @@ void main() {
         PathState path = path_load(first + i);
         PathOwner owner = segment_owner(args.segments, first + i);
         uint side = side_met(path);
-        args.entries.at[((owner.ordinal - args.first_row) << args.rays_log2) + owner.sample_index].side = side;
+        uint row = (owner.ordinal - args.first_row) << args.rays_log2;
+        args.entries.at[row + owner.sample_index].side = side;
         if (args.met.at[side].side == 0u) atomicOr(args.met.at[side].side, 1u);
         sky += side == args.side_count + SIDE_SKY ? 1u : 0u;
         nowhere += side == args.side_count + SIDE_NOWHERE ? 1u : 0u;

@@ -2,8 +2,12 @@
 // that takes part.
 #ifndef AJAR_RADIOSITY_GLSL_H
 #define AJAR_RADIOSITY_GLSL_H
-#include "dual.glsl.h"
+#include "bindings.glsl.h"
 DUAL_BEGIN
+
+// The vector that a product of rows is taken of, as a texel buffer. It stands in the place of paths'
+// radiances, which radiosity's kernels leave alone.
+const uint BIND_SIDE_VALUES = BIND_RADIANCE_READ;
 
 // A vector of the system has one for each side (patch.glsl.h) and two more, which are no unknowns: whatever
 // row entries name has a place in it.

@@ -1,9 +1,7 @@
 // Radiosity's times, and how far its patches are from a path tracer's, on a glTF file:
 //   bench_radiosity FILE.gltf PATCHES... [--rays N] [--shadow-samples N] [--reference N] [--solver NAME]
-// Prints a row for each number of patches. --reference: paths from each patch, for the error of its radiance:
-// of the mean radiance, the mean over patches by area of |L - L_ref|, and its root mean square less what the
-// reference's own variance puts into it.
-#include "base/clock.hpp"
+// Prints a row for each number of patches. --reference: paths from each patch, for the error of its radiance.
+// Not with --refine, where two seeds make two meshes.
 #include "gpu/device.hpp"
 #include "import/import.hpp"
 #include "radiosity/radiosity.hpp"
@@ -35,14 +33,16 @@ double cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+// Of the mean radiance that patches reflect, means over their area.
 struct Errors {
-    double mean = 0;     // |L - L_ref|
-    double rms = 0;      // less the reference's noise
-    double smallest = 0; // the mean error that the reference's noise alone would make
+    double mean = 0;            // |L - L_ref|, with all noise
+    double bias = 0;            // root mean square without: residuals of independent pairs, multiplied
+    double noise = 0;           // of L: mean absolute
+    double reference_noise = 0; // of L_ref
 };
 
 Errors errors_of(const gpu::Device& device, const Scene& scene, const RadiositySolution& solution,
-                 std::uint32_t samples) {
+                 const RadiositySolution& other, std::uint32_t samples) {
     std::vector<SceneElement> elements;
     std::vector<std::uint32_t> sides;
     for (std::uint32_t side = 0; side < solution.active.size(); ++side) {
@@ -51,7 +51,7 @@ Errors errors_of(const gpu::Device& device, const Scene& scene, const RadiosityS
         const PatchSource& source = solution.mesh.sources[patch.source];
         SceneElement e{source.instance,
                        source.triangle,
-                       side % 2 == 1 ? shared::ELEMENT_BACK : 0u,
+                       side % 2 == shared::PATCH_BACK ? shared::ELEMENT_BACK : 0u,
                        patch.corners[0],
                        patch.corners[1] - patch.corners[0],
                        patch.corners[2] - patch.corners[0]};
@@ -60,32 +60,35 @@ Errors errors_of(const gpu::Device& device, const Scene& scene, const RadiosityS
         elements.push_back(e);
         sides.push_back(side);
     }
-    RenderSettings settings;
-    settings.samples = samples;
-    settings.max_bounces = 64;
-    settings.rr_depth = 5;
-    settings.seed = 12345;
-    const ElementRadiance reference = Renderer(device, scene, {}).irradiance(elements, settings);
-    double area = 0, brightness = 0, absolute = 0, square = 0, noise = 0, smallest = 0;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const glm::dvec3 rho(solution.reflectance[sides[i]]);
-        if (rho == glm::dvec3(0)) continue; // nothing reflected to compare
-        const double a = solution.mesh.patches[sides[i] / 2].area;
-        const double right = luminance(rho * glm::dvec3(reference.irradiance[i])) / glm::pi<double>();
-        const double found = luminance(rho * glm::dvec3(solution.irradiance[sides[i]])) / glm::pi<double>();
-        // Channels of a path go together: their deviations add.
-        const double deviation =
-            luminance(rho * glm::sqrt(glm::dvec3(reference.variance[i]))) / glm::pi<double>();
-        area += a;
-        brightness += a * right;
-        absolute += a * std::abs(found - right);
-        square += a * (found - right) * (found - right);
-        noise += a * deviation * deviation;
-        smallest += a * deviation * std::sqrt(2 / glm::pi<double>());
+    ElementRadiance halves[2];
+    for (std::uint32_t half = 0; half < 2; ++half) {
+        RenderSettings settings;
+        settings.samples = samples / 2;
+        settings.max_bounces = 64;
+        settings.rr_depth = 5;
+        settings.seed = 12345 + half;
+        halves[half] = Renderer(device, scene, {}).irradiance(elements, settings);
     }
-    const double mean = brightness / area;
-    return {absolute / area / mean, std::sqrt(std::max(square - noise, 0.0) / area) / mean,
-            smallest / area / mean};
+    double area = 0, brightness = 0, absolute = 0, cross = 0, noise = 0, reference_noise = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const std::uint32_t side = sides[i];
+        const glm::dvec3 rho(solution.reflectance[side]);
+        if (rho == glm::dvec3(0)) continue; // nothing reflected to compare
+        const auto reflected = [&](const glm::vec3& e) {
+            return luminance(rho * glm::dvec3(e)) / glm::pi<double>();
+        };
+        const double a = solution.mesh.patches[side / 2].area;
+        const double right[2] = {reflected(halves[0].irradiance[i]), reflected(halves[1].irradiance[i])};
+        const double found[2] = {reflected(solution.irradiance[side]), reflected(other.irradiance[side])};
+        area += a;
+        brightness += a * 0.5 * (right[0] + right[1]);
+        absolute += a * std::abs(found[0] - 0.5 * (right[0] + right[1]));
+        cross += a * (found[0] - right[0]) * (found[1] - right[1]);
+        noise += a * std::abs(found[0] - found[1]) / std::sqrt(2.0);
+        reference_noise += a * 0.5 * std::abs(right[0] - right[1]);
+    }
+    return {absolute / brightness, std::sqrt(std::max(cross / area, 0.0)) * area / brightness,
+            noise / brightness, reference_noise / brightness};
 }
 
 } // namespace
@@ -112,7 +115,7 @@ int main(int argc, char** argv) {
     const gpu::Device device;
     std::printf("%8s %8s %6s | %7s %7s %7s %7s %7s | %4s %8s | %6s %6s | %7s %7s %7s | %s\n", "patches",
                 "rows", "rays", "prepare", "mater.", "factors", "direct", "solve", "it.", "cpu s", "rows GB",
-                "RSS GB", "recip.", "expect", "in/out", "error: mean, rms, reference's noise");
+                "RSS GB", "recip.", "expect", "in/out", "error: mean; bias (rms); noise; the reference's");
     for (const std::uint32_t count : patches) {
         settings.patches.patches = count;
         const double cpu = cpu_seconds();
@@ -126,8 +129,11 @@ int main(int argc, char** argv) {
                     static_cast<double>(t.row_bytes) / (1 << 30), peak_gigabytes(), t.reciprocity_rms,
                     t.reciprocity_expected, (t.power_absorbed + t.power_escaped) / t.power_in);
         if (reference > 0) {
-            const Errors e = errors_of(device, scene, s, reference);
-            std::printf("%.4f %.4f %.4f", e.mean, e.rms, e.smallest);
+            RadiositySettings again = settings;
+            again.render.seed = 54321;
+            const RadiositySolution other = solve_radiosity(device, scene, again);
+            const Errors e = errors_of(device, scene, s, other, reference);
+            std::printf("%.4f %.4f %.4f %.4f", e.mean, e.bias, e.noise, e.reference_noise);
         }
         std::printf("\n");
         std::fflush(stdout);

@@ -1,7 +1,8 @@
-// Closed rooms of one emission and one reflectance, where L = E / (1 - R) whatever the shape, the mesh and the
-// noise of form factors, as long as rows sum to 1.
+// Closed rooms of one emission and one reflectance, where L = E / (1 - R) whatever the shape, the mesh and
+// the noise of form factors, as long as rows sum to 1.
 #include "radiosity_test.hpp"
 
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 namespace ajar::test {
@@ -11,8 +12,8 @@ class RadiosityFurnace : public RadiosityTest, public testing::WithParamInterfac
 INSTANTIATE_TEST_SUITE_P(Solvers, RadiosityFurnace, testing::Values("jacobi", "gauss-seidel", "shooting"),
                          [](const auto& row) {
                              std::string name = row.param;
-                             return name.replace(name.find('-') == std::string::npos ? name.size() : name.find('-'),
-                                                 1, "_").substr(0, name.size());
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
                          });
 
 TEST_P(RadiosityFurnace, EveryPatchHasItsClosedForm) {
