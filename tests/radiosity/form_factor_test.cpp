@@ -20,7 +20,7 @@ class Rows {
     Rows(const gpu::Device& device, const Scene& scene, std::uint32_t patches, std::uint32_t rays,
          std::uint64_t memory_bytes = std::uint64_t{1} << 30)
         : mesh(PatchMesh::subdivide(scene, {0, patches})),
-          gpu_scene_(device, scene, GpuSceneOptions{false, glm::vec3(0), UINT64_MAX, false}),
+          gpu_scene_(device, scene, GpuSceneOptions{.bake_below_triangles = UINT64_MAX}),
           rig(device, scene, gpu_scene_, mesh, settings_, rays), factors(rig, rays, memory_bytes) {}
 
     void trace_fronts() {
