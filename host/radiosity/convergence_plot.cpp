@@ -16,13 +16,13 @@ PlotLine line(std::string name, std::span<const RadiosityIteration> iterations,
     return line;
 }
 
-// All solvers end at one solution, from below; the nearest to it is taken for it, where the last step alone
-// would not do: it shows nothing missing.
-double final_power(std::span<const SolverHistory> histories) {
-    double power = 0;
+// All solvers come to one solution, from below: whoever came nearest stands for it.
+RadiosityIteration nearest(std::span<const SolverHistory> histories) {
+    RadiosityIteration best;
     for (const SolverHistory& h : histories)
-        for (const RadiosityIteration& i : h.iterations) power = std::max(power, i.power);
-    return power;
+        for (const RadiosityIteration& i : h.iterations)
+            if (i.power > best.power) best = i;
+    return best;
 }
 
 } // namespace
@@ -40,11 +40,14 @@ std::string convergence_plot(const std::string& title, std::span<const SolverHis
         return log_log_svg(plot);
     }
     plot.y_label = "share of the power still missing";
-    const double power = final_power(histories);
+    const RadiosityIteration best = nearest(histories);
     for (const SolverHistory& h : histories) {
         PlotLine missing{h.solver, {}};
-        for (const RadiosityIteration& i : h.iterations)
-            missing.points.push_back({static_cast<double>(i.rows), power > 0 ? 1 - i.power / power : 0});
+        for (const RadiosityIteration& i : h.iterations) {
+            const double share = best.power > 0 ? 1 - i.power / best.power : 0;
+            // What the best itself may still miss cannot be told from nothing.
+            if (share > best.residual_power) missing.points.push_back({static_cast<double>(i.rows), share});
+        }
         plot.lines.push_back(std::move(missing));
     }
     return log_log_svg(plot);

@@ -15,8 +15,8 @@ struct SolverHistory {
     std::vector<RadiosityIteration> iterations;
 };
 
-// An SVG document, over rows of form factors used. One solver: its residuals and the estimated error. Several,
-// of one system: the share of the greatest final power of all that each is still missing.
+// An SVG document, over rows of form factors used. One solver: its residuals and the estimated error.
+// Several, of one system: the share of the final power that each is still missing.
 std::string convergence_plot(const std::string& title, std::span<const SolverHistory> histories);
 
 } // namespace ajar

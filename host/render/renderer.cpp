@@ -134,7 +134,7 @@ RenderOutput Renderer::render(const RenderSettings& settings, const ProgressSink
 
 ElementRadiance Renderer::irradiance(std::span<const SceneElement> elements, const RenderSettings& settings,
                                      const ProgressSink& progress) {
-    check(settings);
+    check_settings(settings);
     RenderSettings used = settings;
     const std::vector<shared::SurfaceElement> on_device = impl_->prepare_elements(elements, used);
     ElementRadiance result =
