@@ -95,6 +95,7 @@ const Field FIELDS[] = {
     F(FrameRecord, trails_first), F(FrameRecord, sample_clamp), F(FrameRecord, sequence_log2),
     F(FrameRecord, soft_first), F(FrameRecord, soft_count),
     F(FrameRecord, patch_nodes_first), F(FrameRecord, patch_sides_first), F(FrameRecord, pool_paths),
+    F(FrameRecord, pad),
     F(SurfaceRecord, normal), F(SurfaceRecord, material), F(SurfaceRecord, uv0), F(SurfaceRecord, light),
     F(SurfaceRecord, object),
     F(SurfaceExtension, uv1), F(SurfaceExtension, tangent), F(SurfaceExtension, tangent_sign),
