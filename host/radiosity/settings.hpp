@@ -27,9 +27,8 @@ struct RadiositySettings {
     std::uint32_t max_iterations = 1000;
     // For rows of form factors. What does not fit is computed again in every iteration: the same result.
     std::uint64_t memory_bytes = std::uint64_t{2} << 30;
-    // Seed, background, cull_backfaces, how lights are sampled (strategy, heuristic, light_sampler, light_rays,
-    // sampler, triangle_sampling), and what never changes a result (pool, segments, slices). No other field is
-    // looked at.
+    // Of these: seed, background, cull_backfaces, how lights are sampled (strategy, heuristic, light_sampler,
+    // light_rays, sampler, triangle_sampling), and what never changes a result (pool, segments, slices).
     RenderSettings render{};
 };
 
