@@ -8,11 +8,16 @@
 namespace ajar::test {
 namespace {
 
-// Camera and light for the box whose plan is in round numbers.
+// A room whose walls meet where patches do, and a box that hangs free: where surfaces touch within patches,
+// as under a box that stands on the floor, errors fall with the root of the size alone.
 Scene box_in_view() {
-    Scene scene = small_cornell_box();
-    if (scene.cameras.empty()) scene.cameras.push_back(framing_camera(scene, 1));
-    return scene;
+    SceneBuilder builder;
+    const std::uint32_t white = builder.material(lambert({0.8f, 0.7f, 0.6f}));
+    builder.room({0, 0, 0}, {2, 2, 2}, white);
+    builder.box({0.6f, 0.7f, 0.5f}, {1.3f, 0.9f, 1.2f}, white);
+    builder.square({1, 1.95f, 1}, {0, -1, 0}, 0.3f, builder.material(emitter({10, 10, 10})));
+    builder.perspective({1, 1.2f, 1.95f}, {1, 0.8f, 0}, 1.4f);
+    return builder.build();
 }
 
 RenderSettings picture_settings(std::uint32_t seed) {
@@ -23,6 +28,9 @@ RenderSettings picture_settings(std::uint32_t seed) {
     settings.max_bounces = 40;
     return settings;
 }
+
+// Residuals of 5 % in 3,072 values leave so much of a bias that is not there.
+constexpr double NOISE = 0.01;
 
 class GatherTest : public RadiosityTest {
   protected:
@@ -64,13 +72,11 @@ TEST_F(GatherTest, ApproachesPathTracingAsPatchesShrink) {
         const double now = bias(found, right);
         RecordProperty("bias_" + std::to_string(patches), std::to_string(now));
         if (last > 0) {
-            EXPECT_LT(now, 0.6 * last) << patches << " patches";
+            EXPECT_LT(now, std::max(0.6 * last, NOISE)) << patches << " patches";
         }
         last = now;
-        if (patches == 1600) {
-            EXPECT_LT(now, 0.02);
-        }
     }
+    EXPECT_LT(last, 0.02);
 }
 
 TEST_F(GatherTest, IsBetterThanPatchesThemselves) {
