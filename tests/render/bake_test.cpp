@@ -34,7 +34,7 @@ BakeSettings few(const std::string& to) {
     return settings;
 }
 
-// All of a room glows with radiance e and reflects a share a: everywhere e / (1 - a), irradiance pi times that.
+// All of a room glows with radiance e and reflects a share a: everywhere e / (1 - a), irradiance pi times it.
 Scene furnace_room(float a, float e) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {1, 2, 3}, builder.material(glowing_lambert(glm::vec3(a), glm::vec3(e))));
