@@ -10,9 +10,9 @@ namespace ajar {
 
 class Brightness {
   public:
-    // The sum times 2^exposure, cut to [0, 1]. Reflected light counts as too bright where the channel is cut
-    // of which most is seen; `times` is what it is multiplied by when it is seen. That emitters are cut is
-    // no loss, as they would be in any picture of that exposure.
+    // The sum times 2^exposure, cut to [0, 1]. What is reflected counts as too bright where the channel is
+    // cut of which most is seen; `times` is what it is multiplied by when it is seen. That emitters are cut
+    // is no loss, as they would be in any picture of that exposure.
     glm::vec3 stored(const glm::vec3& reflected, const glm::vec3& emitted, float exposure,
                      const glm::vec3& times = glm::vec3(1)) {
         const float scale = std::exp2(exposure);

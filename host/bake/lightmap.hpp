@@ -20,8 +20,8 @@ Scene unwrapped_scene(const Scene& scene, const Atlas& atlas);
 Scene unwrapped_scene_with_textures(const Scene& scene, const Atlas& atlas,
                                     std::vector<std::string>& without);
 
-// `unwrapped` unlit, with all that is seen in one texture: reflected light, textures, emission. Cameras
-// stay, lights go. `light` by covered texel.
+// `unwrapped` unlit, with everything that is seen in one texture: reflected light, textures, emission.
+// Cameras stay, lights go. `light` by covered texel.
 Scene lightmapped_scene(Scene unwrapped, std::uint32_t side, std::span<const CoveredTexel> covered,
                         const ElementLight& light, float exposure, Brightness& brightness);
 
