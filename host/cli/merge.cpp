@@ -144,6 +144,7 @@ std::vector<std::pair<std::string, std::string>> metadata_of(const std::vector<P
 }
 
 int run(const Options& o) {
+    if (o.parts.size() < 2) throw UsageError("one part is a picture already: two at least can be merged");
     if (o.render.outputs.empty()) throw UsageError("nothing to write: -o FILE is missing");
     for (const std::string& file : o.render.outputs) check_save(file, o.render.save);
     const std::vector<Part> parts = look_at_all(o.parts);

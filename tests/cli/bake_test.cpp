@@ -50,16 +50,16 @@ void expect_error(const TemporaryFolder& folder, std::vector<std::string> argume
 TEST(Bake, LooksTheSameWithoutAnyLight) {
     const TemporaryFolder folder;
     const std::string view = (folder / "view.png").string();
-    expect_success({"render", scene_path("cornell-box"), "-o", view, "--size", "96x96", "--samples", "128"});
+    expect_success({"render", scene_path("cornell-box"), "-o", view, "--size", "96x96", "--samples", "512"});
     for (const std::vector<std::string>& how :
-         {std::vector<std::string>{"--patches", "6000", "--samples", "64"},
-          {"--lightmap", "128", "--samples", "64"}}) {
+         {std::vector<std::string>{"--patches", "6000", "--samples", "256"},
+          {"--lightmap", "128", "--samples", "256"}}) {
         SCOPED_TRACE(how[0]);
         const std::string file = (folder / "baked.glb").string(), again = (folder / "again.png").string();
         expect_success(bake(file, how));
         const Json info = Json::parse(expect_success({"info", file, "--json"}).out);
         EXPECT_TRUE(info["scene"]["lights"].empty()) << info.dump();
-        expect_success({"render", file, "-o", again, "--size", "96x96", "--samples", "16"});
+        expect_success({"render", file, "-o", again, "--size", "96x96", "--samples", "64"});
         const Result compared = run_ajar({"compare", again, view, "--max-flip", "0.05"});
         EXPECT_EQ(compared.exit_code, 0) << compared.out << compared.err;
     }
