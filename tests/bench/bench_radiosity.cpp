@@ -1,8 +1,12 @@
 // Radiosity's times, and how far its patches are from a path tracer's, on a glTF file:
 //   bench_radiosity FILE.gltf PATCHES... [--rays N] [--shadow-samples N] [--reference N] [--solver NAME]
-// Prints a row for each number of patches. --reference: paths from each patch, for the error of its radiance.
+//                   [--plot FILE.svg]
+// Prints a row for each number of patches. --reference: paths from each patch, for the error of its radiance,
+// which --plot draws.
 // Not with --refine, where two seeds make two meshes.
+#include "base/file.hpp"
 #include "gpu/device.hpp"
+#include "image/plot.hpp"
 #include "import/import.hpp"
 #include "radiosity/radiosity.hpp"
 #include "render/luminance.hpp"
@@ -91,6 +95,28 @@ Errors errors_of(const gpu::Device& device, const Scene& scene, const RadiosityS
             noise / brightness, reference_noise / brightness};
 }
 
+// Errors against the number of patches; halving their size is four times as many, so order one is x^-1/2.
+class ErrorPlot {
+  public:
+    void add(double patches, const Errors& e) {
+        mean_.points.push_back({patches, e.mean});
+        bias_.points.push_back({patches, e.bias});
+        noise_.points.push_back({patches, e.noise});
+    }
+    std::string svg() const {
+        return log_log_svg({"Radiosity against path tracing from the patches",
+                            "patches",
+                            "error, of the mean radiance reflected",
+                            {mean_, bias_, noise_},
+                            -0.5});
+    }
+
+  private:
+    PlotLine mean_{"mean error, all noise included", {}};
+    PlotLine bias_{"bias, root mean square", {}};
+    PlotLine noise_{"noise of the solution", {}};
+};
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -110,9 +136,12 @@ int main(int argc, char** argv) {
     app.add_option("--refine", settings.refine);
     app.add_option("--refine-threshold", settings.refine_threshold);
     app.add_option("--tolerance", settings.tolerance);
+    std::string plot_file;
+    app.add_option("--plot", plot_file)->needs(app.get_option("--reference"));
     CLI11_PARSE(app, argc, argv);
     const Scene scene = import_gltf(file).scene;
     const gpu::Device device;
+    ErrorPlot plot;
     std::printf("%8s %8s %6s | %7s %7s %7s %7s %7s | %4s %8s | %6s %6s | %7s %7s %7s | %s\n", "patches",
                 "rows", "rays", "prepare", "mater.", "factors", "direct", "solve", "it.", "cpu s", "rows GB",
                 "RSS GB", "recip.", "expect", "in/out", "error: mean; bias (rms); noise; the reference's");
@@ -133,9 +162,11 @@ int main(int argc, char** argv) {
             again.render.seed = 54321;
             const RadiositySolution other = solve_radiosity(device, scene, again);
             const Errors e = errors_of(device, scene, s, other, reference);
+            plot.add(static_cast<double>(t.patches), e);
             std::printf("%.4f %.4f %.4f %.4f", e.mean, e.bias, e.noise, e.reference_noise);
         }
         std::printf("\n");
         std::fflush(stdout);
     }
+    if (!plot_file.empty()) write_file(plot_file, plot.svg());
 }
