@@ -51,8 +51,7 @@ PathPool::PathPool(const gpu::Device& device, const RenderSettings& settings, st
     path_buffer_ = gpu::Buffer(device, this->paths() * sizeof(PathState), "paths");
     shadow_buffer_ = gpu::Buffer(device, this->paths() * sizeof(ShadowRay), "shadow rays");
     segment_buffer_ = gpu::Buffer(device, segments_ * sizeof(SegmentCounts), "segment counters");
-    radiance_buffer_ =
-        gpu::Buffer(device, (2 * std::uint64_t{this->paths()} + 1) * sizeof(vec4), "path radiances");
+    radiance_buffer_ = gpu::Buffer(device, 2 * std::uint64_t{this->paths()} * sizeof(vec4), "path radiances");
 }
 
 std::uint64_t PathPool::device_bytes() const {

@@ -80,7 +80,7 @@ vec3 radiance_load(uint home) {
 void radiance_store(uint home, vec3 value) { radiance[home].xyz = value; }
 
 // Behind all radiances lies what is kept of the surface that each path left last, which light samplers look
-// at once more when the path meets a light (lights/receiver.glsl); and one place for whoever has no path.
+// at once more when the path meets a light (lights/receiver.glsl).
 void path_left_store(uint home, uvec2 words) {
     radiance[frame.pool_paths + home].xy = uintBitsToFloat(words);
 }

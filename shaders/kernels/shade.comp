@@ -129,8 +129,7 @@ void main() {
         uvec2 left = uvec2(0u);
         uint home = path.home;
         if (i < count) alive = shade(path, ray, connects, left);
-        // By all lanes: a store under a mask costs more than the store.
-        if (LEAVES) path_left_store(i < count ? home : frame.pool_paths, left);
+        if (LEAVES && i < count) path_left_store(home, left);
         if (TASK != SHADE_LIGHT) {
             Scan survivors = scan_keepers(alive);
             path_store(first + kept + scan_place(survivors, alive), path);
