@@ -187,12 +187,7 @@ void declare_files(CLI::App& app, Options& o) {
     app.add_option("--report", o.common.report, "JSON: what was baked and how, hashes, device, times, rays")
         ->type_name("FILE.json")
         ->group(group);
-    app.add_option("--progress", o.common.progress,
-                   "auto (default): a line on stderr where that is a terminal; none; json: one object a line "
-                   "on stdout")
-        ->type_name("MODE")
-        ->check(CLI::IsMember({"auto", "json", "none"}).description(""))
-        ->group(group);
+    declare_progress(app, o.common);
 }
 
 } // namespace

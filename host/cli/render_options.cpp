@@ -77,6 +77,15 @@ void declare_output(CLI::App& app, RenderOptions& o) {
         ->group(group);
 }
 
+void declare_progress(CLI::App& app, RenderOptions& o) {
+    app.add_option("--progress", o.progress,
+                   "auto (default): a line on stderr where that is a terminal; none; json: one object a line "
+                   "on stdout")
+        ->type_name("MODE")
+        ->check(CLI::IsMember({"auto", "json", "none"}).description(""))
+        ->group("Output");
+}
+
 void declare_display(CLI::App& app, RenderOptions& o) {
     const std::string group = "Output";
     app.add_option("--tonemap", o.save.tonemap, help_from("PNG, JPEG (default linear)", tonemap_operators()))
@@ -87,12 +96,7 @@ void declare_display(CLI::App& app, RenderOptions& o) {
         ->type_name("EV")
         ->check(number(-100, 100))
         ->group(group);
-    app.add_option("--progress", o.progress,
-                   "auto (default): a line on stderr where that is a terminal; none; json: one object a line "
-                   "on stdout")
-        ->type_name("MODE")
-        ->check(CLI::IsMember({"auto", "json", "none"}).description(""))
-        ->group(group);
+    declare_progress(app, o);
 }
 
 void declare_image(CLI::App& app, RenderOptions& o) {

@@ -44,6 +44,7 @@ void declare(CLI::App& app, RenderOptions& options);
 // Their groups, for commands that take some of them.
 void declare_files(CLI::App& app, RenderOptions& options);
 void declare_output(CLI::App& app, RenderOptions& options);  // the files, and what is in them
+void declare_progress(CLI::App& app, RenderOptions& options); // in declare_display
 void declare_display(CLI::App& app, RenderOptions& options); // tone mapping, progress
 void declare_image(CLI::App& app, RenderOptions& options);   // size, samples, bounces, filter
 void declare_method(CLI::App& app, RenderOptions& options);  // rows of tables
