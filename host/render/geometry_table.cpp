@@ -92,9 +92,8 @@ void fill_records(GeometryTable& table, const Scene& scene, const GeometryOption
                 const Mesh& mesh = scene.meshes[instance.mesh];
                 const std::uint32_t material = mesh.triangle_materials[source.triangle];
                 const bvh::Triangle& vertices = parts[p].triangles[from];
-                const bool alpha = needs_alpha_test(scene.materials[material], options.cull_backfaces);
-                table.triangles[k] =
-                    bvh::make_record(vertices, alpha ? TRIANGLE_ALPHA : 0u, material, source.instance);
+                const std::uint32_t flags = triangle_flags(scene.materials[material], options.cull_backfaces);
+                table.triangles[k] = bvh::make_record(vertices, flags, material, source.instance);
                 table.sources[k] = source;
                 const glm::mat4 to_frame = p == 0 ? instance.to_world : glm::mat4(1);
                 write_surface_words(mesh, source.triangle, to_frame, source.instance,

@@ -1,6 +1,7 @@
 #include "render/material_table.hpp"
 
 #include "base/error.hpp"
+#include "shaders/shared/bvh.glsl.h"
 #include "shaders/shared/specialization.glsl.h"
 
 #include <cstring>
@@ -119,8 +120,14 @@ class Builder {
 
 MaterialTable build_material_table(const Scene& scene) { return Builder(scene).build(); }
 
-bool needs_alpha_test(const Material& material, bool cull_backfaces) {
-    return material.alpha_mode != AlphaMode::opaque || (cull_backfaces && !material.double_sided);
+std::uint32_t triangle_flags(const Material& material, bool cull_backfaces) {
+    const bool unsure =
+        material.alpha_mode != AlphaMode::opaque || (cull_backfaces && !material.double_sided);
+    const bool emits = material.unlit || material.emission != glm::vec3(0);
+    const bool black = glm::vec3(material.base_color) == glm::vec3(0) && material.specular == 0 &&
+                       material.metallic == 0; // textures and vertex colours are factors, too
+    return (unsure ? TRIANGLE_ALPHA : 0u) | (emits ? TRIANGLE_EMITS : 0u) |
+           (black || material.unlit ? 0u : TRIANGLE_SCATTERS);
 }
 
 } // namespace ajar

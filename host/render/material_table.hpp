@@ -20,7 +20,7 @@ struct MaterialTable {
 // Throws Error when the textures have more texels than 32 bits can count.
 MaterialTable build_material_table(const Scene& scene);
 
-// Whether triangles of this material need a test beyond geometry when they are hit.
-bool needs_alpha_test(const Material& material, bool cull_backfaces);
+// TRIANGLE_*: what rays have to know of triangles of this material before they look at it.
+std::uint32_t triangle_flags(const Material& material, bool cull_backfaces);
 
 } // namespace ajar

@@ -36,6 +36,9 @@ PathState path_load(uint slot) {
                      uintBitsToFloat(d.z), uintBitsToFloat(d.w));
 }
 
+// The triangle that a path met.
+uint path_triangle(uint slot) { return path_word(4u * slot + 3u).x; }
+
 // What extend finds.
 void path_store_hit(uint slot, uint triangle, uint instance, float u, float v) {
     path_words[4u * slot + 3u].x = triangle;

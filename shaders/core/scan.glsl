@@ -41,6 +41,16 @@ uint scan_place(Scan scan, bool keep) {
     return keep ? scan.before : scan.total + gl_LocalInvocationID.x - scan.before;
 }
 
+// What the workgroup's threads wrote to shared memory is there for all of them afterwards. To be called by
+// all, under uniform control flow.
+void scan_barrier() {
+#ifdef AJAR_SUBGROUP
+    subgroupBarrier();
+#else
+    barrier();
+#endif
+}
+
 // All threads of the workgroup must call it, under uniform control flow. Reads before the call are done
 // before any thread's writes after it.
 Scan scan_keepers(bool keep) {

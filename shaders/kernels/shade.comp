@@ -8,13 +8,16 @@
 #include "../core/scan.glsl"
 #include "../lights/light.glsl"
 #include "../lights/light_sampler.glsl"
-#include "../lights/met.glsl"
+#include "../lights/met_lists.glsl"
 #include "../material/vertex.glsl"
 
 layout(push_constant, scalar) uniform ArgsBlock { ShadeArgs args; };
 
 const uint TASK = OPTION & ~SHADE_WHITE;
 const bool WHITE = (OPTION & SHADE_WHITE) != 0u;
+
+// Whether what was met may send light to the path: not where the path begins there.
+const bool LOOKS = !WHITE && TASK != SHADE_LIGHT && TASK != SHADE_LEARN;
 
 // The light to connect to: a picked one, or, where every one has its turn, this dispatch's.
 LightPick pick_light(Vertex v, uvec2 left, float u) {
@@ -79,68 +82,49 @@ bool scatter(inout PathState path, Vertex v, Sampler points, uint dimension) {
 }
 
 bool shade(inout PathState path, out ShadowRay ray, out bool connects, out uvec2 left) {
+    Vertex v = vertex_at(path);
+    if (WHITE) v.bsdf = bsdf_white();
+    Sampler points = segment_sampler(args.segments, path.home);
+    uint dimension = sampler_bounce(args.segments.bounce);
+    left = receiver_words(v);
     connects = false;
-    left = uvec2(0u);
-    bool alive = false;
-    vec3 beta = path.beta;
-    vec3 emission;
-    const bool every = TASK == SHADE_SCATTER;
-    PathState arrived = path;
-    uvec2 before = met_left(path);
-    float limit = LIGHT_FAR;
-    if (path.triangle == NO_TRIANGLE) {
-        emission = met_environment(path, before, every);
-    } else {
-        Vertex v = vertex_at(path);
-        if (WHITE) v.bsdf = bsdf_white();
-        emission = met_surface(path, before, v, every);
-        limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
-        bool lit = WHITE || !has_feature(FEATURE_UNLIT) || (v.material.flags & MATERIAL_UNLIT) == 0u;
-        if (args.segments.bounce <= frame.max_bounces && lit) {
-            Sampler points = segment_sampler(args.segments, path.home);
-            uint dimension = sampler_bounce(args.segments.bounce);
-            left = receiver_words(v);
-            if (STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
-                connects = connect_light(path, v, left, points, dimension, ray);
-            alive = scatter(path, v, points, dimension);
-        }
-    }
-    if (TASK == SHADE_LIGHT) return false;
-    if (WHITE) return alive;
-    if (has_feature(FEATURE_SOFT_LIGHTS))
-        emission += met_soft_lights(arrived, before, limit, args.segments.bounce == 0u, every);
-    if (any(notEqual(emission, vec3(0.0)))) radiance_add(path.home, beta * emission);
-    return alive;
+    if (STRATEGY != STRATEGY_BSDF && TASK != SHADE_SCATTER)
+        connects = connect_light(path, v, left, points, dimension, ray);
+    return TASK != SHADE_LIGHT && scatter(path, v, points, dimension);
 }
 
 void main() {
     uint segment = segment_index(args.segments);
     if (segment == NO_SEGMENT) return;
     uint first = segment * SEGMENT_SIZE;
-    uint count = segments[segment].paths;
+    HitLists hits = hit_lists(first, segments[segment].paths, met_lists_wanted(LOOKS, WHITE));
+    if (LOOKS) met_lists_add(first, hits, args.segments.bounce == 0u, TASK == SHADE_SCATTER);
+    uint count = args.segments.bounce <= frame.max_bounces ? hits.scattering : 0u;
     uint kept = 0u;
     uint shadows = 0u;
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
-        PathState path = path_load(first + min(i, count - 1u));
+        PathState path = path_load(first + hit_scattering_slot(min(i, count - 1u)));
         ShadowRay ray;
-        bool connects = false;
-        bool alive = false;
-        uvec2 left = uvec2(0u);
+        bool connects;
+        uvec2 left;
         uint home = path.home;
-        if (i < count) alive = shade(path, ray, connects, left);
-        if (LEAVES && i < count) path_left_store(home, left);
+        bool alive = shade(path, ray, connects, left) && i < count;
+        connects = connects && i < count;
+        if (LEAVES) path_left_store(home, left);
         if (TASK != SHADE_LIGHT) {
             Scan survivors = scan_keepers(alive);
             path_store(first + kept + scan_place(survivors, alive), path);
             kept += survivors.total;
         }
-        if (TASK == SHADE_SCATTER) continue;
-        Scan connections = scan_keepers(connects);
-        uint slot = first + shadows + scan_place(connections, connects);
-        shadow_ray_store(slot, ray);
-        if (TASK == SHADE_LEARN) shadow_ray_counter_store(slot, ray.counter);
-        shadows += connections.total;
+        if (TASK != SHADE_SCATTER) {
+            Scan connections = scan_keepers(connects);
+            uint slot = first + shadows + scan_place(connections, connects);
+            shadow_ray_store(slot, ray);
+            if (TASK == SHADE_LEARN) shadow_ray_counter_store(slot, ray.counter);
+            shadows += connections.total;
+        }
+        if (base + WORKGROUP_SIZE >= count) break;
     }
     if (gl_LocalInvocationID.x == 0u) {
         if (TASK != SHADE_LIGHT) segments[segment].paths = kept;

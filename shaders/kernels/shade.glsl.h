@@ -11,9 +11,12 @@
 // BSDF sample met. SPEC_HEURISTIC: exponent 2 as above, or 1, the balance heuristic.
 // SPEC_OPTION: SHADE_WHOLE does all of this. For a shadow ray to every light instead of a picked one, a
 // dispatch of SHADE_LIGHT for each makes its shadow rays and leaves paths and emission alone; SHADE_SCATTER
-// does the rest. SHADE_LEARN does all, and notes with each shadow ray where connect is to count it.
+// does the rest. SHADE_LEARN leaves emission alone, and notes with each shadow ray where connect is to count
+// it.
 // With SHADE_WHITE, for paths that begin on surfaces (place.glsl.h), the surface is a white Lambertian whose
 // own emission does not count: beta is then irradiance / pi.
+// A segment's paths are sorted first by what they met (hit_lists.glsl): emission is looked at for those that
+// met any, everything else is done for those that go on.
 #ifndef AJAR_SHADE_GLSL_H
 #define AJAR_SHADE_GLSL_H
 #include "../shared/segment_args.glsl.h"

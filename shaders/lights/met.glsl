@@ -50,4 +50,23 @@ vec3 met_soft_lights(PathState path, uvec2 left, float limit, bool camera, bool 
     return sum;
 }
 
+// All that comes from where the path ends: the surface it met, or afar; and from what lies before that.
+// `camera`: it came straight from there.
+vec3 met_at_surface(PathState path, uvec2 left, bool camera, bool every) {
+    Vertex v = vertex_at(path);
+    vec3 light = met_surface(path, left, v, every);
+    if (!has_feature(FEATURE_SOFT_LIGHTS)) return light;
+    float limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
+    return light + met_soft_lights(path, left, limit, camera, every);
+}
+vec3 met_from_afar(PathState path, uvec2 left, bool camera, bool every) {
+    vec3 light = met_environment(path, left, every);
+    if (!has_feature(FEATURE_SOFT_LIGHTS)) return light;
+    return light + met_soft_lights(path, left, LIGHT_FAR, camera, every);
+}
+
+void met_add(PathState path, vec3 light) {
+    if (any(notEqual(light, vec3(0.0)))) radiance_add(path.home, path.beta * light);
+}
+
 #endif

@@ -48,6 +48,8 @@ DUAL_SIZE(TriangleRecord, 48);
 const uint TRIANGLE_TEXELS = 3;
 const float TRIANGLE_T_ERROR = 4.7683716e-7f; // 2^-21: eight roundings of t, in units of the triangle's reach
 const uint TRIANGLE_ALPHA = 1u << 0; // a hit counts only where alpha_passes() says so
+const uint TRIANGLE_EMITS = 1u << 1; // whoever looks at it may see light of its own
+const uint TRIANGLE_SCATTERS = 1u << 2; // light that falls on it may go on
 
 DUAL_END
 #endif
