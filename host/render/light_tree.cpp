@@ -28,11 +28,6 @@ class Collapser {
         Sphere sphere;
         tree_.root = encode_light_tree_root(binary_[0].bounds, sphere);
         tree_.empty = false;
-        if (binary_[0].is_light()) {
-            tree_.root.child |= binary_[0].child;
-            tree_.trails[binary_[0].light()] = 0;
-            return;
-        }
         tree_.nodes.resize(1);
         fill(0, binary_[0], sphere, 0, 0);
     }
@@ -49,6 +44,7 @@ class Collapser {
     // Nodes before lights. Two levels of the binary tree where every level counts, so that trails are long
     // enough.
     Children children_of(const BinaryNode& node, std::uint32_t depth) const {
+        if (node.is_light()) return {&node}; // the only one
         Children children{&binary_[node.child], &binary_[node.child + 1]};
         if (node.height >= 2 * (shared::LIGHT_TREE_MAX_DEPTH - depth)) {
             for (std::size_t k = 0; k < 2; ++k)

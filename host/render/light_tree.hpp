@@ -25,7 +25,7 @@ struct LightBounds {
 struct LightTree {
     bool empty = true; // no light is left: everything else is empty, too
     shared::LightTreeRoot root{};
-    std::vector<shared::LightTreeNode> nodes; // see light_tree.glsl.h; none where the root is a light
+    std::vector<shared::LightTreeNode> nodes; // see light_tree.glsl.h
     std::vector<std::uint32_t> trails;        // per light
     std::uint32_t depth = 0;                  // decisions on the longest way
     double seconds = 0;                       // of building

@@ -122,7 +122,7 @@ class BinaryBuilder {
   private:
     // The subtree over `items`, whose pairs are those from `pair` on: one fewer than it has lights.
     BinaryNode build(std::span<Item> items, std::uint32_t pair, std::uint32_t depth) {
-        if (items.size() == 1) return {items[0].bounds, items[0].light | shared::LIGHT_TREE_LEAF, 0};
+        if (items.size() == 1) return {items[0].bounds, items[0].light | BINARY_LEAF, 0};
         const std::size_t middle = partition(items, depth);
         const auto left_count = static_cast<std::uint32_t>(middle);
         BinaryNode& left = nodes_[2 * pair];

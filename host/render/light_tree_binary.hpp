@@ -10,14 +10,16 @@
 
 namespace ajar {
 
+constexpr std::uint32_t BINARY_LEAF = 1u << 31;
+
 // Siblings lie side by side.
 struct BinaryNode {
     LightBounds bounds;
-    std::uint32_t child = 0;  // a light's index with LIGHT_TREE_LEAF, or the first child's
+    std::uint32_t child = 0;  // a light's index with BINARY_LEAF, or the first child's
     std::uint32_t height = 0; // decisions below
 
-    bool is_light() const { return (child & shared::LIGHT_TREE_LEAF) != 0; }
-    std::uint32_t light() const { return child & shared::LIGHT_TREE_INDEX; }
+    bool is_light() const { return (child & BINARY_LEAF) != 0; }
+    std::uint32_t light() const { return child & ~BINARY_LEAF; }
     // What is gained by telling its children apart: nothing for a light.
     double reach() const {
         const glm::vec3 extent = bounds.upper - bounds.lower;

@@ -75,7 +75,7 @@ LightTreeRoot encode_light_tree_root(const LightBounds& bounds, Sphere& sphere) 
     root.axis = axis_word(bounds.axis);
     root.cones = cosine8(bounds.cos_normals) | cosine8(bounds.cos_emission) << 8;
     root.intensity = static_cast<float>(std::min(bounds.intensity, 1e30)); // sums and ratios stay finite
-    root.child = bounds.two_sided ? LIGHT_TREE_TWO_SIDED : 0u;
+    root.flags = bounds.two_sided ? LIGHT_TREE_TWO_SIDED : 0u;
     return root;
 }
 

@@ -15,7 +15,7 @@ struct Sphere {
     float radius = 0;
 };
 
-// Everything but the child. `sphere`: the root's, for its children.
+// `sphere`: the root's, for its children.
 shared::LightTreeRoot encode_light_tree_root(const LightBounds& bounds, Sphere& sphere);
 
 // Up to four children of a node whose own sphere is `parent`; all but the child words. `spheres`: theirs.

@@ -7,9 +7,7 @@
 #include "dual.glsl.h"
 DUAL_BEGIN
 
-const uint LIGHT_TREE_LEAF = 1u << 31; // of the root's child: the rest is a light's index, else a node's
-const uint LIGHT_TREE_TWO_SIDED = 1u << 30; // of a place, and of the root's child: emits to both sides
-const uint LIGHT_TREE_INDEX = LIGHT_TREE_TWO_SIDED - 1u;
+const uint LIGHT_TREE_TWO_SIDED = 1u << 30; // of a place, and of the root's flags: emits to both sides
 const uint LIGHT_TREE_MAX_DEPTH = 15; // decisions from root to leaf: two bits of a trail each
 
 // Scales of what is quantised.
@@ -27,7 +25,7 @@ struct LightTreeRoot {
     uint axis;       // of a cone around all their normals: 3 x snorm8, not quite a unit vector
     uint cones;      // snorm8: cosine of that cone's half angle | of how far light leaves it << 8
     float intensity; // greatest that they send into one direction, luminance, W/sr
-    uint child;      // node 0, or the only light; with LIGHT_TREE_LEAF
+    uint flags;      // LIGHT_TREE_TWO_SIDED or 0; what is below it is node 0's
 };
 DUAL_SIZE(LightTreeRoot, 32);
 

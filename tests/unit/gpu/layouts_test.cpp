@@ -107,7 +107,7 @@ const Field FIELDS[] = {
     F(AliasEntry, keep), F(AliasEntry, other), F(AliasEntry, own), F(AliasEntry, pad),
     F(VisibilityCount, traced), F(VisibilityCount, arrived), F(LightTreeRoot, center),
     F(LightTreeRoot, radius), F(LightTreeRoot, axis), F(LightTreeRoot, cones),
-    F(LightTreeRoot, intensity), F(LightTreeRoot, child), F(LightTreeNode, place),
+    F(LightTreeRoot, intensity), F(LightTreeRoot, flags), F(LightTreeNode, place),
     F(LightTreeNode, axis), F(LightTreeNode, radii), F(LightTreeNode, normals),
     F(LightTreeNode, emission), F(LightTreeNode, nodes), F(LightTreeNode, lights),
     F(MaterialRecord, base_color), F(MaterialRecord, emission), F(MaterialRecord, flags),

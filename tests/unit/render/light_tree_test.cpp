@@ -62,7 +62,7 @@ Decoded decode_root(const shared::LightTreeRoot& root) {
             std::acos(snorm(root.cones, 0)),
             std::acos(snorm(root.cones, 1)),
             root.intensity,
-            (root.child & shared::LIGHT_TREE_TWO_SIDED) != 0};
+            (root.flags & shared::LIGHT_TREE_TWO_SIDED) != 0};
 }
 
 Decoded decode(const LightTreeNode& node, int k, const Decoded& parent) {
@@ -109,9 +109,7 @@ void visit(const LightTree& tree, std::uint32_t index, const Leaf& so_far, const
 }
 
 void visit(const LightTree& tree, const Visit& leaf) {
-    const Leaf root{tree.root.child & shared::LIGHT_TREE_INDEX, 0, {decode_root(tree.root)}};
-    if ((tree.root.child & shared::LIGHT_TREE_LEAF) != 0) return leaf(root);
-    visit(tree, 0, root, leaf);
+    visit(tree, 0, Leaf{0, 0, {decode_root(tree.root)}}, leaf);
 }
 
 void expect_every_light_once(const LightTree& tree, std::span<const LightBounds> lights) {
