@@ -160,11 +160,11 @@ void declare_quality(CLI::App& app, RenderOptions& o) {
         ->type_name("N")
         ->check(count(0))
         ->group(group);
-    app.add_option(
-           "--light-sampler", s.light_sampler,
-           help_from(fmt::format("How a light is picked (default {})", s.light_sampler), light_samplers()))
+    app.add_option("--light-sampler", s.light_sampler,
+                   help_from(fmt::format("How a light is picked (default {})", s.light_sampler),
+                             light_sampler_options()))
         ->type_name("NAME")
-        ->check(one_of(light_samplers()))
+        ->check(one_of(light_sampler_options()))
         ->group(group);
     app.add_option("--ao-distance", s.ao_distance,
                    "Occlusion: its reach (default: a tenth of the scene's diagonal)")

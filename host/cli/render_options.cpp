@@ -161,7 +161,7 @@ void declare_method(CLI::App& app, RenderOptions& o) {
     choice("--strategy", s.strategy, "How integrator path finds light", strategies());
     choice("--heuristic", s.heuristic, "How strategy mis weighs the two", heuristics());
     choice("--light-rays", s.light_rays, "Shadow rays at a vertex", light_ray_choices());
-    choice("--light-sampler", s.light_sampler, "How a light is picked", light_samplers());
+    choice("--light-sampler", s.light_sampler, "How a light is picked", light_sampler_options());
     choice("--sampler", s.sampler, "Random numbers", samplers());
     choice("--triangle-sampling", s.triangle_sampling, "How a point on an emissive triangle is picked",
            triangle_samplings());

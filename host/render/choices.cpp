@@ -71,6 +71,10 @@ constexpr ConstantRow LIGHT_SAMPLERS[] = {
      shared::LIGHT_SAMPLER_VISIBILITY},
 };
 
+// With few lights the tree's decisions cost more than they gain (shaders/lights/README.md).
+constexpr std::uint32_t FEW_LIGHTS = 8;
+constexpr Choice LIGHT_SAMPLER_BY_COUNT{"auto", "tree, or power where there are no more than eight lights"};
+
 constexpr ConstantRow SAMPLERS[] = {
     {{"sobol", "scrambled Sobol points: each pixel's samples spread evenly"}, shared::SAMPLER_SOBOL},
     {{"blue-noise", "and neighbours' too, so that errors look like fine grain (for few samples)"},
@@ -121,6 +125,11 @@ constexpr auto STRATEGY_CHOICES = choices_of(STRATEGIES);
 constexpr auto HEURISTIC_CHOICES = choices_of(HEURISTICS);
 constexpr auto LIGHT_RAY_CHOICES = choices_of(LIGHT_RAYS);
 constexpr auto LIGHT_SAMPLER_CHOICES = choices_of(LIGHT_SAMPLERS);
+constexpr auto LIGHT_SAMPLER_OPTIONS = [] {
+    std::array<Choice, 1 + std::size(LIGHT_SAMPLERS)> options{LIGHT_SAMPLER_BY_COUNT};
+    for (std::size_t i = 0; i < std::size(LIGHT_SAMPLERS); ++i) options[1 + i] = LIGHT_SAMPLERS[i].choice;
+    return options;
+}();
 constexpr auto SAMPLER_CHOICES = choices_of(SAMPLERS);
 constexpr auto NAIVE_SAMPLING_CHOICES = choices_of(NAIVE_SAMPLINGS);
 constexpr auto TRIANGLE_SAMPLING_CHOICES = choices_of(TRIANGLE_SAMPLINGS);
@@ -145,6 +154,7 @@ std::span<const Choice> strategies() { return STRATEGY_CHOICES; }
 std::span<const Choice> heuristics() { return HEURISTIC_CHOICES; }
 std::span<const Choice> light_ray_choices() { return LIGHT_RAY_CHOICES; }
 std::span<const Choice> light_samplers() { return LIGHT_SAMPLER_CHOICES; }
+std::span<const Choice> light_sampler_options() { return LIGHT_SAMPLER_OPTIONS; }
 std::span<const Choice> samplers() { return SAMPLER_CHOICES; }
 std::span<const Choice> naive_samplings() { return NAIVE_SAMPLING_CHOICES; }
 std::span<const Choice> triangle_samplings() { return TRIANGLE_SAMPLING_CHOICES; }
@@ -166,6 +176,10 @@ std::uint32_t find_light_rays(std::string_view name) {
 }
 std::uint32_t find_light_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(LIGHT_SAMPLERS), "light sampler", name).constant;
+}
+std::string choose_light_sampler(std::string_view name, std::uint32_t lights) {
+    if (name != LIGHT_SAMPLER_BY_COUNT.name) return std::string(name);
+    return lights > FEW_LIGHTS ? "tree" : "power";
 }
 std::uint32_t find_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(SAMPLERS), "sampler", name).constant;

@@ -25,8 +25,7 @@ ElementRadiance trace_elements(const gpu::Device& device, const Scene& scene, co
     used.width = used.height = 1;
     // What is learned depends on where paths begin: it is of no use to others.
     std::optional<LearnedVisibility> visibility;
-    if (find_light_sampler(used.light_sampler) == shared::LIGHT_SAMPLER_VISIBILITY)
-        visibility.emplace(device);
+    if (used.light_sampler == "visibility") visibility.emplace(device);
     RenderJob job(device, scene, gpu_scene, used, visibility ? &*visibility : nullptr, elements);
     const RenderOutput output = job.run(progress);
 

@@ -24,6 +24,7 @@ std::span<const Choice> integrators();
 std::span<const Choice> strategies();
 std::span<const Choice> heuristics();
 std::span<const Choice> light_samplers();
+std::span<const Choice> light_sampler_options(); // those, and one that chooses among them
 std::span<const Choice> light_ray_choices();
 std::span<const Choice> samplers();
 std::span<const Choice> naive_samplings();

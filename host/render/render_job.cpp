@@ -24,6 +24,7 @@ RenderSettings resolved(RenderSettings settings, const GpuScene& scene) {
         settings.filter_radius = settings.filter == PixelFilter::box ? 0.5f : 1.5f;
     if (settings.integrator == "direct") settings.max_bounces = 0;
     if (!(settings.ao_distance > 0)) settings.ao_distance = 0.2f * scene.frame().scene_radius;
+    settings.light_sampler = choose_light_sampler(settings.light_sampler, scene.frame().light_count);
     settings.sequence_samples = sequence_samples(settings);
     return settings;
 }

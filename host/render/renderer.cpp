@@ -24,6 +24,7 @@ void check_settings(const RenderSettings& s) {
     if (!(s.slice_seconds > 0)) throw Error("slice: must be a positive time");
     sequence_samples(s);
     find_light_rays(s.light_rays); // an unknown name is an error for every integrator, as others are
+    find_light_sampler(choose_light_sampler(s.light_sampler, 0));
     find_naive_sampling(s.naive_sampling);
     find_shading(s.shading);
     choose_environment_sampling(s);
@@ -85,7 +86,7 @@ std::vector<shared::SurfaceElement> Renderer::Impl::prepare_elements(std::span<c
 
 // What was learned before is kept for renders that differ only in how many samples they take, and when.
 LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings) {
-    if (find_light_sampler(settings.light_sampler) != shared::LIGHT_SAMPLER_VISIBILITY) return nullptr;
+    if (settings.light_sampler != "visibility") return nullptr;
     RenderSettings wanted = settings;
     wanted.samples = wanted.first_sample = wanted.sequence_samples = 0;
     wanted.time_limit = 0;

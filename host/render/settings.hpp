@@ -19,7 +19,7 @@ struct RenderSettings {
     std::string integrator = "path";     // a row of integrators()
     std::string strategy = "mis";        // a row of strategies()
     std::string heuristic = "power";     // a row of heuristics(); strategy mis
-    std::string light_sampler = "power"; // a row of light_samplers()
+    std::string light_sampler = "auto";  // a row of light_sampler_options()
     std::string light_rays = "one";      // a row of light_ray_choices()
     std::string sampler = "sobol";       // a row of samplers()
     // Sampler blue-noise: samples per pixel of all runs that are to be one picture, rounded up to a power of

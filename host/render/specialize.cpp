@@ -22,6 +22,7 @@ std::uint32_t trace_shares(const gpu::Device& device, const GpuScene& scene, con
 gpu::Specialization specialize(const gpu::Device& device, const GpuScene& scene, const PathPool& pool,
                                const RenderSettings& settings, std::uint32_t features,
                                bool other_tables_fit) {
+    const std::string light_sampler = choose_light_sampler(settings.light_sampler, scene.frame().light_count);
     const bool texels = scene.texel_buffers() != 0 && other_tables_fit && !device.options().force_pointers;
     return {
         {SPEC_WORKGROUP_SIZE, device.workgroup_size()},
@@ -32,7 +33,7 @@ gpu::Specialization specialize(const gpu::Device& device, const GpuScene& scene,
         {SPEC_STACK_REGISTERS, scene.stack_registers()},
         {SPEC_STRATEGY, find_strategy(settings.strategy)},
         {SPEC_HEURISTIC, find_heuristic(settings.heuristic)},
-        {SPEC_LIGHT_SAMPLER, find_light_sampler(settings.light_sampler)},
+        {SPEC_LIGHT_SAMPLER, find_light_sampler(light_sampler)},
         {SPEC_TRACE_SHARES, trace_shares(device, scene, pool)},
         {SPEC_SAMPLER, find_sampler(settings.sampler)}};
 }

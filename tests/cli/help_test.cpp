@@ -66,7 +66,7 @@ TEST(Help, ListsEveryRowOfEveryTable) {
     };
     expect_rows(integrators());
     expect_rows(strategies());
-    expect_rows(light_samplers());
+    expect_rows(light_sampler_options());
     expect_rows(samplers());
     expect_rows(naive_samplings());
     expect_rows(shadings());
