@@ -5,6 +5,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <cmath>
+#include <csignal>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -101,6 +102,17 @@ TEST_F(Merge, SamplesThatAreThereTwiceOrNotAtAllAreErrors) {
     expect_refused({b, a}, b + ": begins with sample 3, which " + a + " has too");
     const std::string c = part("c.exr", {"--first-sample", "7"});
     expect_refused({a, c}, "render them with --first-sample 4 --samples 3");
+}
+
+TEST_F(Merge, APartThatWasInterruptedIsAnError) {
+    const std::string a = part("a.exr", {"--samples", "4"}), b = path("b.exr");
+    Process process(ajar_command(
+        tiny({"--first-sample", "4", "--samples", "100000000", "--float", "-o", b, "--progress", "json"})));
+    ASSERT_TRUE(wait_for_samples(process, 1)) << process.finish().err;
+    process.send(SIGINT);
+    EXPECT_EQ(process.finish().exit_code, 130);
+    ASSERT_TRUE(fs::exists(b));
+    expect_refused({a, b}, b + ": was interrupted");
 }
 
 TEST_F(Merge, PartsOfOtherPicturesAreErrors) {

@@ -1,6 +1,6 @@
 #include "cli/small_renders.hpp"
 
-#include "cli/run_ajar.hpp"
+#include <nlohmann/json.hpp>
 
 namespace ajar::test {
 
@@ -21,6 +21,14 @@ void write_triangle(const fs::path& file, const std::string& primitive_members, 
 }
 
 } // namespace
+
+bool wait_for_samples(Process& process, std::uint64_t samples) {
+    for (std::string line = process.read_line(); !line.empty(); line = process.read_line()) {
+        const nlohmann::json event = nlohmann::json::parse(line);
+        if (event["event"] == "progress" && event["done"].get<std::uint64_t>() >= samples) return true;
+    }
+    return false;
+}
 
 std::vector<std::string> tiny(std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", scene_path("cornell-box"), "--size", "24x16", "--samples",

@@ -1,6 +1,7 @@
 // What ends a render early: Ctrl-C, SIGTERM, a time limit. What is done is kept, and no half file is ever
 // left.
 #include "cli/run_ajar.hpp"
+#include "cli/small_renders.hpp"
 #include "image/read.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -20,15 +21,6 @@ using Json = nlohmann::json;
 std::vector<std::string> endless(const fs::path& output) {
     return ajar_command({"render", scene_path("cornell-box"), "--size", "32x32", "--samples", "100000000",
                          "-o", output.string(), "--progress", "json"});
-}
-
-// Reads progress until that many samples are done.
-bool wait_for_samples(Process& process, std::uint64_t samples) {
-    for (std::string line = process.read_line(); !line.empty(); line = process.read_line()) {
-        const Json event = Json::parse(line);
-        if (event["event"] == "progress" && event["done"].get<std::uint64_t>() >= samples) return true;
-    }
-    return false;
 }
 
 std::vector<std::string> files_in(const fs::path& folder) {
