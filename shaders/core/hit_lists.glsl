@@ -58,9 +58,9 @@ HitLists hit_lists(uint first, uint count, const HitListsWanted wanted) {
             hit_escaped[lists.escaped + scan_place(escaped, escapes)] = i;
             lists.escaped += escaped.total;
         }
+        scan_barrier();
         if (base + WORKGROUP_SIZE >= count) break;
     }
-    scan_barrier();
     return lists;
 }
 

@@ -111,7 +111,8 @@ void main() {
         uint home = path.home;
         bool alive = shade(path, ray, connects, left) && i < count;
         connects = connects && i < count;
-        if (LEAVES) path_left_store(home, left);
+        // A CPU's lanes past the end store the same once more; elsewhere that would be a race.
+        if (LEAVES && (PATH_TEXELS != 0u || i < count)) path_left_store(home, left);
         if (TASK != SHADE_LIGHT) {
             Scan survivors = scan_keepers(alive);
             path_store(first + kept + scan_place(survivors, alive), path);
