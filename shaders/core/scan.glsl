@@ -41,8 +41,8 @@ uint scan_place(Scan scan, bool keep) {
     return keep ? scan.before : scan.total + gl_LocalInvocationID.x - scan.before;
 }
 
-// What the workgroup's threads wrote to shared memory is there for all of them afterwards, and what they write
-// next comes later. To be called by all, under uniform control flow.
+// What the workgroup's threads wrote to shared memory is there for all of them afterwards, and what they
+// write next comes later. To be called by all, under uniform control flow.
 void scan_barrier() {
 #ifdef AJAR_SUBGROUP
     subgroupBarrier();
