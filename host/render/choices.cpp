@@ -181,6 +181,7 @@ std::string choose_light_sampler(std::string_view name, std::uint32_t lights) {
     if (name != LIGHT_SAMPLER_BY_COUNT.name) return std::string(name);
     return lights > FEW_LIGHTS ? "tree" : "power";
 }
+bool learns_visibility(const RenderSettings& s) { return s.light_sampler == "visibility"; }
 std::uint32_t find_sampler(std::string_view name) {
     return find(std::span<const ConstantRow>(SAMPLERS), "sampler", name).constant;
 }

@@ -13,12 +13,14 @@ namespace ajar {
 struct IntegratorRow;
 
 const IntegratorRow& find_integrator(std::string_view name);
-std::uint32_t find_strategy(std::string_view name);       // STRATEGY_*
-std::uint32_t find_heuristic(std::string_view name);      // HEURISTIC_*
-std::uint32_t find_light_rays(std::string_view name);     // SHADE_WHOLE: to one; SHADE_LIGHT: to all
-std::uint32_t find_light_sampler(std::string_view name);  // LIGHT_SAMPLER_*
+std::uint32_t find_strategy(std::string_view name);      // STRATEGY_*
+std::uint32_t find_heuristic(std::string_view name);     // HEURISTIC_*
+std::uint32_t find_light_rays(std::string_view name);    // SHADE_WHOLE: to one; SHADE_LIGHT: to all
+std::uint32_t find_light_sampler(std::string_view name); // LIGHT_SAMPLER_*
 // The row of light_samplers() that a row of light_sampler_options() means for so many lights.
 std::string choose_light_sampler(std::string_view name, std::uint32_t lights);
+// Whether those settings need a pass that learns visibility.
+bool learns_visibility(const RenderSettings& settings);
 std::uint32_t find_sampler(std::string_view name);        // SAMPLER_*
 std::uint32_t find_naive_sampling(std::string_view name); // NAIVE_*
 

@@ -25,7 +25,7 @@ ElementRadiance trace_elements(const gpu::Device& device, const Scene& scene, co
     used.width = used.height = 1;
     // What is learned depends on where paths begin: it is of no use to others.
     std::optional<LearnedVisibility> visibility;
-    if (used.light_sampler == "visibility") visibility.emplace(device);
+    if (learns_visibility(used)) visibility.emplace(device);
     RenderJob job(device, scene, gpu_scene, used, visibility ? &*visibility : nullptr, elements);
     const RenderOutput output = job.run(progress);
 

@@ -65,7 +65,7 @@ class PathIntegrator : public Integrator {
                           context.with_option(context.shadow_packets ? CONNECT_TOGETHER : CONNECT_APART)),
           connect_bounce_(context.device, "connect", context.with_option(CONNECT_APART)) {
         if (lights_in_turn_ > 0) light_.emplace(context, SHADE_LIGHT);
-        if (lights_in_turn_ > 0 || !connects_ || context.settings.light_sampler != "visibility") return;
+        if (lights_in_turn_ > 0 || !connects_ || !learns_visibility(context.settings)) return;
         learn_.emplace(context, SHADE_LEARN);
         count_.emplace(context.device, "connect", context.with_option(CONNECT_LEARN));
     }

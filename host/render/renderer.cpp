@@ -86,7 +86,7 @@ std::vector<shared::SurfaceElement> Renderer::Impl::prepare_elements(std::span<c
 
 // What was learned before is kept for renders that differ only in how many samples they take, and when.
 LearnedVisibility* Renderer::Impl::visibility_for(const RenderSettings& settings) {
-    if (settings.light_sampler != "visibility") return nullptr;
+    if (!learns_visibility(settings)) return nullptr;
     RenderSettings wanted = settings;
     wanted.samples = wanted.first_sample = wanted.sequence_samples = 0;
     wanted.time_limit = 0;

@@ -20,21 +20,15 @@ struct HitLists {
     uint escaped;
 };
 
-// Which lists are made.
-struct HitListsWanted {
-    bool all_scatter; // whatever was met
-    bool all_emit;
-    bool emitting;
-    bool escaped;
-};
-
-uint hit_scattering_slot(uint i) { return hit_scattering[i]; }
-uint hit_emitting_slot(uint i) { return hit_emitting[i]; }
-uint hit_escaped_slot(uint i) { return hit_escaped[i]; }
+// Lists that are made besides that of what scatters, and what counts as such.
+const uint HIT_LISTS_EMITTING = 1u << 0;
+const uint HIT_LISTS_ESCAPED = 1u << 1;
+const uint HIT_LISTS_ALL_SCATTER = 1u << 2; // whatever was met
+const uint HIT_LISTS_ALL_EMIT = 1u << 3;
 
 // Of the paths in slots first to first + count - 1. For all threads of the workgroup, under uniform control
 // flow. Everything is stored, also what is not listed: into places that come next (scan_place).
-HitLists hit_lists(uint first, uint count, const HitListsWanted wanted) {
+HitLists hit_lists(uint first, uint count, const uint wanted) {
     HitLists lists = HitLists(0u, 0u, 0u);
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
@@ -42,17 +36,17 @@ HitLists hit_lists(uint first, uint count, const HitListsWanted wanted) {
         uint triangle = path_triangle(first + min(i, count - 1u));
         bool hit = exists && triangle != NO_TRIANGLE;
         uint flags = fetch_triangle(hit ? triangle * TRIANGLE_TEXELS : 0u).w;
-        bool scatters = hit && (wanted.all_scatter || (flags & TRIANGLE_SCATTERS) != 0u);
+        bool scatters = hit && ((wanted & HIT_LISTS_ALL_SCATTER) != 0u || (flags & TRIANGLE_SCATTERS) != 0u);
         Scan scattering = scan_keepers(scatters);
         hit_scattering[lists.scattering + scan_place(scattering, scatters)] = i;
         lists.scattering += scattering.total;
-        if (wanted.emitting) {
-            bool emits = hit && (wanted.all_emit || (flags & TRIANGLE_EMITS) != 0u);
+        if ((wanted & HIT_LISTS_EMITTING) != 0u) {
+            bool emits = hit && ((wanted & HIT_LISTS_ALL_EMIT) != 0u || (flags & TRIANGLE_EMITS) != 0u);
             Scan emitting = scan_keepers(emits);
             hit_emitting[lists.emitting + scan_place(emitting, emits)] = i;
             lists.emitting += emitting.total;
         }
-        if (wanted.escaped) {
+        if ((wanted & HIT_LISTS_ESCAPED) != 0u) {
             bool escapes = exists && !hit;
             Scan escaped = scan_keepers(escapes);
             hit_escaped[lists.escaped + scan_place(escaped, escapes)] = i;

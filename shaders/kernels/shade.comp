@@ -97,14 +97,15 @@ void main() {
     uint segment = segment_index(args.segments);
     if (segment == NO_SEGMENT) return;
     uint first = segment * SEGMENT_SIZE;
-    HitLists hits = hit_lists(first, segments[segment].paths, met_lists_wanted(LOOKS, WHITE));
+    HitLists hits = hit_lists(first, segments[segment].paths,
+                              (LOOKS ? met_lists_wanted() : 0u) | (WHITE ? HIT_LISTS_ALL_SCATTER : 0u));
     if (LOOKS) met_lists_add(first, hits, args.segments.bounce == 0u, TASK == SHADE_SCATTER);
     uint count = args.segments.bounce <= frame.max_bounces ? hits.scattering : 0u;
     uint kept = 0u;
     uint shadows = 0u;
     for (uint base = 0u; base < count; base += WORKGROUP_SIZE) {
         uint i = base + gl_LocalInvocationID.x;
-        PathState path = path_load(first + hit_scattering_slot(min(i, count - 1u)));
+        PathState path = path_load(first + hit_scattering[min(i, count - 1u)]);
         ShadowRay ray;
         bool connects;
         uvec2 left;

@@ -4,20 +4,22 @@
 #include "../core/hit_lists.glsl"
 #include "met.glsl"
 
-// `looks`: light is wanted; `all_scatter`: the surfaces are taken for white ones.
-HitListsWanted met_lists_wanted(const bool looks, const bool all_scatter) {
-    const bool afar = has_feature(FEATURE_ANY_ENVIRONMENT | FEATURE_SOFT_LIGHTS);
-    return HitListsWanted(all_scatter, has_feature(FEATURE_SOFT_LIGHTS), looks, looks && afar);
+// The lists that it takes. Soft lights may lie before any surface, and behind all of them.
+uint met_lists_wanted() {
+    uint wanted = HIT_LISTS_EMITTING;
+    if (has_feature(FEATURE_SOFT_LIGHTS)) wanted |= HIT_LISTS_ALL_EMIT;
+    if (has_feature(FEATURE_ANY_ENVIRONMENT | FEATURE_SOFT_LIGHTS)) wanted |= HIT_LISTS_ESCAPED;
+    return wanted;
 }
 
 void met_lists_add(uint first, HitLists hits, bool camera, bool every) {
     for (uint i = gl_LocalInvocationID.x; i < hits.emitting; i += WORKGROUP_SIZE) {
-        PathState path = path_load(first + hit_emitting_slot(i));
+        PathState path = path_load(first + hit_emitting[i]);
         met_add(path, met_at_surface(path, met_left(path), camera, every));
         if (i + WORKGROUP_SIZE >= hits.emitting) break;
     }
     for (uint i = gl_LocalInvocationID.x; i < hits.escaped; i += WORKGROUP_SIZE) {
-        PathState path = path_load(first + hit_escaped_slot(i));
+        PathState path = path_load(first + hit_escaped[i]);
         met_add(path, met_from_afar(path, met_left(path), camera, every));
         if (i + WORKGROUP_SIZE >= hits.escaped) break;
     }
