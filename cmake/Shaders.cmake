@@ -1,6 +1,6 @@
 # Compiles kernels (*.comp) to SPIR-V and embeds them. Editing any included file recompiles what includes it.
 #
-#   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ... [AS_WRITTEN b ...])
+#   ajar_embed_kernels(TARGET target FUNCTION name FILES a.comp b.comp ... [KEEP_LOOPS b ...])
 #
 # gives the target a header NAME.hpp that declares std::span<const ajar::gpu::EmbeddedKernel>
 # ajar::gpu::NAME(). Each kernel is compiled twice, the second time as "a.subgroup" with AJAR_SUBGROUP, for
@@ -10,44 +10,64 @@ if(NOT AJAR_GLSLANG)
   message(FATAL_ERROR "No glslangValidator found: install glslang-tools (apt-get install glslang-tools)")
 endif()
 
-# Optimised before they are embedded: lavapipe makes a pipeline of a traversal in 0.06 s instead of 0.28 s, in
-# every process again, as it caches machine code alone. A glslang built without SPIRV-Tools knows no -Os.
-# Kernels named AS_WRITTEN are left alone.
-if(NOT DEFINED AJAR_GLSLANG_OPTIMISES)
-  set(AJAR_PROBE ${CMAKE_BINARY_DIR}/CMakeFiles/probe.comp)
-  file(WRITE ${AJAR_PROBE} "#version 460\nvoid main() {}\n")
-  execute_process(
-    COMMAND ${AJAR_GLSLANG} -V -Os --quiet --target-env vulkan1.2 -o ${AJAR_PROBE}.spv ${AJAR_PROBE}
-    RESULT_VARIABLE AJAR_PROBE_RESULT
-    OUTPUT_QUIET ERROR_QUIET)
-  if(AJAR_PROBE_RESULT EQUAL 0)
-    set(AJAR_GLSLANG_OPTIMISES -Os CACHE INTERNAL "Flags that make glslang optimise")
-  else()
-    set(AJAR_GLSLANG_OPTIMISES "" CACHE INTERNAL "Flags that make glslang optimise")
-  endif()
-endif()
+# Kernels are optimised before they are embedded, as lavapipe then makes their pipelines in a third of the time,
+# in every process again: it caches machine code alone. For those named KEEP_LOOPS only what need not be looked
+# at is taken away (functions, copies, branches that no variant takes): -Os makes new variables for a loop's
+# old ones, and lavapipe's code for a traversal is 3 % slower then (all of -O: 3 %; --ssa-rewrite alone: 35 %).
+find_program(AJAR_SPIRV_OPT NAMES spirv-opt DOC "SPIR-V optimiser; without it renders begin later")
+set(AJAR_PASSES_KEEP_LOOPS
+    --merge-return
+    --inline-entry-points-exhaustive
+    --eliminate-dead-functions
+    --scalar-replacement=0
+    --eliminate-local-single-block
+    --eliminate-local-single-store
+    --eliminate-dead-code-aggressive
+    --eliminate-dead-branches
+    --merge-blocks
+    --ccp
+    --eliminate-dead-branches
+    --cfg-cleanup
+    --redundancy-elimination
+    --eliminate-dead-code-aggressive)
 
-# Compiles `file` into the words `output`; further arguments are compiler flags.
+# Compiles `file` into the words `output`: FLAGS for the compiler, PASSES for the optimiser.
 function(ajar_compile_kernel file output)
-  set(flags ${ARGN})
+  cmake_parse_arguments(C "" "" "FLAGS;PASSES" ${ARGN})
+  set(flags ${C_FLAGS})
   if(AJAR_DEBUG)
     list(APPEND flags -DAJAR_DEBUG=1)
   endif()
+  set(module ${output}.spv)
   cmake_path(GET file FILENAME label)
   cmake_path(GET output FILENAME shown)
   add_custom_command(
-    OUTPUT ${output}
-    COMMAND ${AJAR_GLSLANG} -V -x --quiet --target-env vulkan1.2
+    OUTPUT ${module}
+    COMMAND ${AJAR_GLSLANG} -V --quiet --target-env vulkan1.2
             -I${PROJECT_SOURCE_DIR}/shaders ${flags}
-            --depfile ${output}.d -o ${output} ${file}
+            --depfile ${module}.d -o ${module} ${file}
     DEPENDS ${file}
-    DEPFILE ${output}.d
+    DEPFILE ${module}.d
     COMMENT "Compiling kernel ${label} to ${shown}"
+    VERBATIM)
+  set(embedded ${module})
+  set(optimise "")
+  if(AJAR_SPIRV_OPT)
+    set(embedded ${output}.optimised.spv)
+    set(optimise COMMAND ${AJAR_SPIRV_OPT} ${C_PASSES} ${module} -o ${embedded})
+  endif()
+  add_custom_command(
+    OUTPUT ${output}
+    ${optimise}
+    COMMAND ${CMAKE_COMMAND} -DMODULE=${embedded} -DWORDS=${output}
+            -P ${PROJECT_SOURCE_DIR}/cmake/Words.cmake
+    DEPENDS ${module} ${PROJECT_SOURCE_DIR}/cmake/Words.cmake
+    COMMENT "Optimising kernel ${shown}"
     VERBATIM)
 endfunction()
 
 function(ajar_embed_kernels)
-  cmake_parse_arguments(K "" "TARGET;FUNCTION" "FILES;AS_WRITTEN" ${ARGN})
+  cmake_parse_arguments(K "" "TARGET;FUNCTION" "FILES;KEEP_LOOPS" ${ARGN})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/kernels/${K_TARGET})
   file(MAKE_DIRECTORY ${folder})
   set(arrays "")
@@ -56,17 +76,17 @@ function(ajar_embed_kernels)
   foreach(file IN LISTS K_FILES)
     cmake_path(ABSOLUTE_PATH file NORMALIZE)
     cmake_path(GET file STEM name)
-    set(flags ${AJAR_GLSLANG_OPTIMISES})
-    if(name IN_LIST K_AS_WRITTEN)
-      set(flags "")
+    set(passes -Os)
+    if(name IN_LIST K_KEEP_LOOPS)
+      set(passes ${AJAR_PASSES_KEEP_LOOPS})
     endif()
     foreach(variant "" ".subgroup")
       set(output ${folder}/${name}${variant}.inc)
       string(MAKE_C_IDENTIFIER "words_${name}${variant}" symbol)
       if(variant STREQUAL "")
-        ajar_compile_kernel(${file} ${output} ${flags})
+        ajar_compile_kernel(${file} ${output} PASSES ${passes})
       else()
-        ajar_compile_kernel(${file} ${output} ${flags} -DAJAR_SUBGROUP=1)
+        ajar_compile_kernel(${file} ${output} PASSES ${passes} FLAGS -DAJAR_SUBGROUP=1)
       endif()
       list(APPEND words ${output})
       string(APPEND arrays "const std::uint32_t ${symbol}[] = {\n#include \"${name}${variant}.inc\"\n};\n")

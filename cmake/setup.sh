@@ -11,6 +11,7 @@ cmake                     builds Ajar
 ninja-build               builds Ajar
 g++                       the C++20 compiler
 glslang-tools             compiles the kernels to SPIR-V
+spirv-tools               optimises them
 libvulkan-dev             Vulkan headers and loader
 mesa-vulkan-drivers       Vulkan drivers, among them one for machines without a GPU
 vulkan-validationlayers   the tests run under them
