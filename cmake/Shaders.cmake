@@ -10,10 +10,10 @@ if(NOT AJAR_GLSLANG)
   message(FATAL_ERROR "No glslangValidator found: install glslang-tools (apt-get install glslang-tools)")
 endif()
 
-# Kernels are optimised before they are embedded, as lavapipe then makes their pipelines in a third of the time,
-# in every process again: it caches machine code alone. For those named KEEP_LOOPS only what need not be looked
-# at is taken away (functions, copies, branches that no variant takes): -Os makes new variables for a loop's
-# old ones, and lavapipe's code for a traversal is 3 % slower then (all of -O: 3 %; --ssa-rewrite alone: 35 %).
+# Kernels are optimised before they are embedded, as lavapipe then makes their pipelines in a third of the
+# time, in every process again: it caches machine code alone. For those named KEEP_LOOPS only what need not be
+# looked at is taken away (functions, copies, branches that no variant takes): -Os makes new variables for a
+# loop's old ones, and lavapipe's code for a traversal is 3 % slower then (--ssa-rewrite alone: 35 %).
 find_program(AJAR_SPIRV_OPT NAMES spirv-opt DOC "SPIR-V optimiser; without it renders begin later")
 set(AJAR_PASSES_KEEP_LOOPS
     --merge-return
@@ -62,7 +62,7 @@ function(ajar_compile_kernel file output)
     COMMAND ${CMAKE_COMMAND} -DMODULE=${embedded} -DWORDS=${output}
             -P ${PROJECT_SOURCE_DIR}/cmake/Words.cmake
     DEPENDS ${module} ${PROJECT_SOURCE_DIR}/cmake/Words.cmake
-    COMMENT "Optimising kernel ${shown}"
+    COMMENT "Embedding kernel ${shown}"
     VERBATIM)
 endfunction()
 

@@ -99,7 +99,7 @@ void main() {
     uint first = segment * SEGMENT_SIZE;
     HitLists hits = hit_lists(first, segments[segment].paths,
                               (LOOKS ? met_lists_wanted() : 0u) | (WHITE ? HIT_LISTS_ALL_SCATTER : 0u));
-    if (LOOKS) met_lists_add(first, hits, args.segments.bounce == 0u, TASK == SHADE_SCATTER);
+    if (LOOKS) met_lists_add(first, hits, MetWay(args.segments.bounce == 0u, TASK == SHADE_SCATTER));
     uint count = args.segments.bounce <= frame.max_bounces ? hits.scattering : 0u;
     uint kept = 0u;
     uint shadows = 0u;

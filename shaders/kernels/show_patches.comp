@@ -22,7 +22,7 @@ vec3 reflectance(PathState path, Vertex v) {
 }
 
 // Of a surface that the path met; `limit`: how far away it is, to what lies before it.
-vec3 surface_radiance(PathState path, uvec2 left, out float limit) {
+vec3 surface_radiance(PathState path, uvec2 left, MetWay way, out float limit) {
     Vertex v = vertex_at(path);
     limit = soft_limit(length(v.surface.position - path.origin), !v.surface.emits);
     PatchHit hit = patch_lookup(path.triangle, path.u, path.v);
@@ -32,7 +32,7 @@ vec3 surface_radiance(PathState path, uvec2 left, out float limit) {
     if (OPTION == SHOW_FLAT) light = patch_radiance(side);
     else light = patch_irradiance(side, hit.u, hit.v) * reflectance(path, v) * MATH_INV_PI;
     light = found ? light : vec3(0.0);
-    return OPTION == SHOW_FLAT ? light : light + met_surface(path, left, v, false);
+    return OPTION == SHOW_FLAT ? light : light + met_surface(path, left, v, way);
 }
 
 void main() {
@@ -43,12 +43,12 @@ void main() {
     for (uint i = gl_LocalInvocationID.x; i < count; i += WORKGROUP_SIZE) {
         PathState path = path_load(first + i);
         uvec2 left = met_left(path);
+        MetWay way = MetWay(args.segments.bounce == 0u, false);
         float limit = LIGHT_FAR;
         vec3 light;
-        if (path.triangle == NO_TRIANGLE) light = met_environment(path, left, false);
-        else light = surface_radiance(path, left, limit);
-        if (has_feature(FEATURE_SOFT_LIGHTS))
-            light += met_soft_lights(path, left, limit, args.segments.bounce == 0u, false);
+        if (path.triangle == NO_TRIANGLE) light = met_environment(path, left, way);
+        else light = surface_radiance(path, left, way, limit);
+        if (has_feature(FEATURE_SOFT_LIGHTS)) light += met_soft_lights(path, left, limit, way);
         radiance_add(path.home, path.beta * light);
     }
     if (gl_LocalInvocationID.x == 0u) segments[segment].paths = 0u;

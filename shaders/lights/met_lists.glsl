@@ -12,15 +12,15 @@ uint met_lists_wanted() {
     return wanted;
 }
 
-void met_lists_add(uint first, HitLists hits, bool camera, bool every) {
+void met_lists_add(uint first, HitLists hits, MetWay way) {
     for (uint i = gl_LocalInvocationID.x; i < hits.emitting; i += WORKGROUP_SIZE) {
         PathState path = path_load(first + hit_emitting[i]);
-        met_add(path, met_at_surface(path, met_left(path), camera, every));
+        met_add(path, met_at_surface(path, met_left(path), way));
         if (i + WORKGROUP_SIZE >= hits.emitting) break;
     }
     for (uint i = gl_LocalInvocationID.x; i < hits.escaped; i += WORKGROUP_SIZE) {
         PathState path = path_load(first + hit_escaped[i]);
-        met_add(path, met_from_afar(path, met_left(path), camera, every));
+        met_add(path, met_from_afar(path, met_left(path), way));
         if (i + WORKGROUP_SIZE >= hits.escaped) break;
     }
 }
