@@ -72,8 +72,8 @@ constexpr ConstantRow LIGHT_SAMPLERS[] = {
 };
 
 // With few lights the tree's decisions cost more than they gain (shaders/lights/README.md).
-constexpr std::uint32_t FEW_LIGHTS = 8;
-constexpr Choice LIGHT_SAMPLER_BY_COUNT{"auto", "tree, or power where there are no more than eight lights"};
+constexpr std::uint32_t FEW_LIGHTS = 4;
+constexpr Choice LIGHT_SAMPLER_BY_COUNT{"auto", "tree, or power where there are no more than four lights"};
 
 constexpr ConstantRow SAMPLERS[] = {
     {{"sobol", "scrambled Sobol points: each pixel's samples spread evenly"}, shared::SAMPLER_SOBOL},

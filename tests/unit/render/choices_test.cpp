@@ -9,8 +9,8 @@ namespace {
 
 TEST(ChooseLightSampler, TakesTheTreeWhereThereAreMany) {
     EXPECT_EQ(choose_light_sampler("auto", 0), "power");
-    EXPECT_EQ(choose_light_sampler("auto", 8), "power");
-    EXPECT_EQ(choose_light_sampler("auto", 9), "tree");
+    EXPECT_EQ(choose_light_sampler("auto", 4), "power");
+    EXPECT_EQ(choose_light_sampler("auto", 5), "tree");
     EXPECT_EQ(choose_light_sampler("auto", 1u << 24), "tree");
 }
 
