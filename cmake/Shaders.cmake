@@ -34,9 +34,8 @@ set(AJAR_PASSES_KEEP_LOOPS
 # Compiles `file` into the words `output`: FLAGS for the compiler, PASSES for the optimiser.
 function(ajar_compile_kernel file output)
   cmake_parse_arguments(C "" "" "FLAGS;PASSES" ${ARGN})
-  set(flags ${C_FLAGS})
   if(AJAR_DEBUG)
-    list(APPEND flags -DAJAR_DEBUG=1)
+    list(APPEND C_FLAGS -DAJAR_DEBUG=1)
   endif()
   set(module ${output}.spv)
   cmake_path(GET file FILENAME label)
@@ -44,7 +43,7 @@ function(ajar_compile_kernel file output)
   add_custom_command(
     OUTPUT ${module}
     COMMAND ${AJAR_GLSLANG} -V --quiet --target-env vulkan1.2
-            -I${PROJECT_SOURCE_DIR}/shaders ${flags}
+            -I${PROJECT_SOURCE_DIR}/shaders ${C_FLAGS}
             --depfile ${module}.d -o ${module} ${file}
     DEPENDS ${file}
     DEPFILE ${module}.d
@@ -83,11 +82,11 @@ function(ajar_embed_kernels)
     foreach(variant "" ".subgroup")
       set(output ${folder}/${name}${variant}.inc)
       string(MAKE_C_IDENTIFIER "words_${name}${variant}" symbol)
-      if(variant STREQUAL "")
-        ajar_compile_kernel(${file} ${output} PASSES ${passes})
-      else()
-        ajar_compile_kernel(${file} ${output} PASSES ${passes} FLAGS -DAJAR_SUBGROUP=1)
+      set(flags "")
+      if(variant STREQUAL ".subgroup")
+        set(flags -DAJAR_SUBGROUP=1)
       endif()
+      ajar_compile_kernel(${file} ${output} FLAGS ${flags} PASSES ${passes})
       list(APPEND words ${output})
       string(APPEND arrays "const std::uint32_t ${symbol}[] = {\n#include \"${name}${variant}.inc\"\n};\n")
       string(APPEND rows "    {\"${name}${variant}\", ${symbol}},\n")
